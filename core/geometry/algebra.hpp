@@ -1,0 +1,77 @@
+// Vector algebra over any mix of uniform and varying numbers. Sums are taken x, then y, then z, always.
+#pragma once
+
+#include "core/geometry/vec.hpp"
+#include "core/numeric/number.hpp"
+
+namespace zerkalo::inline ZERKALO_ISA {
+
+template <class A, class B>
+ZERKALO_INLINE auto operator+(Vec3<A> a, Vec3<B> b) -> Vec3<decltype(a.x + b.x)> {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class A, class B>
+ZERKALO_INLINE auto operator-(Vec3<A> a, Vec3<B> b) -> Vec3<decltype(a.x - b.x)> {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class A>
+ZERKALO_INLINE Vec3<A> operator-(Vec3<A> a) {
+    return {-a.x, -a.y, -a.z};
+}
+template <class A, class B>
+ZERKALO_INLINE auto operator*(Vec3<A> a, B s) -> Vec3<decltype(a.x * s)> {
+    return {a.x * s, a.y * s, a.z * s};
+}
+
+template <class A, class B>
+ZERKALO_INLINE auto dot(Vec3<A> a, Vec3<B> b) -> decltype(a.x * b.x) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class A, class B>
+ZERKALO_INLINE auto cross(Vec3<A> a, Vec3<B> b) -> Vec3<decltype(a.x * b.x)> {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// The vector in another format, component by component.
+template <class To, class From>
+ZERKALO_INLINE Vec3<To> as(Vec3<From> a) {
+    return {as<To>(a.x), as<To>(a.y), as<To>(a.z)};
+}
+
+template <class M, class A>
+ZERKALO_INLINE Vec3<A> select(M mask, Vec3<A> a, Vec3<A> b) {
+    return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
+}
+template <class M, class A>
+ZERKALO_INLINE Rgb<A> select(M mask, Rgb<A> a, Rgb<A> b) {
+    return {select(mask, a.r, b.r), select(mask, a.g, b.g), select(mask, a.b, b.b)};
+}
+
+/// A uniform vector, the same in all lanes.
+template <class R>
+ZERKALO_INLINE Vec3<R> spread(Vec3<float> a) {
+    return {R(a.x), R(a.y), R(a.z)};
+}
+template <class R>
+ZERKALO_INLINE Rgb<R> spread(Rgb<float> a) {
+    return {R(a.r), R(a.g), R(a.b)};
+}
+
+template <class A, class B>
+ZERKALO_INLINE auto operator+(Rgb<A> a, Rgb<B> b) -> Rgb<decltype(a.r + b.r)> {
+    return {a.r + b.r, a.g + b.g, a.b + b.b};
+}
+template <class A, class B>
+ZERKALO_INLINE auto operator-(Rgb<A> a, Rgb<B> b) -> Rgb<decltype(a.r - b.r)> {
+    return {a.r - b.r, a.g - b.g, a.b - b.b};
+}
+template <class A, class B>
+ZERKALO_INLINE auto operator*(Rgb<A> a, Rgb<B> b) -> Rgb<decltype(a.r * b.r)> {
+    return {a.r * b.r, a.g * b.g, a.b * b.b};
+}
+template <class A, class B>
+ZERKALO_INLINE auto scaled(Rgb<A> a, B s) -> Rgb<decltype(a.r * s)> {
+    return {a.r * s, a.g * s, a.b * s};
+}
+
+}  // namespace zerkalo::inline ZERKALO_ISA

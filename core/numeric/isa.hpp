@@ -1,0 +1,17 @@
+// Which instruction set this translation unit is compiled for.
+//
+// Everything that a kernel inlines lives in an inline namespace named after the instruction set, so that the linker can
+// never merge a function compiled for AVX2 with its namesake for SSE2. Plain data (Scene, Plan, Vec3) lives outside.
+#pragma once
+
+#ifdef __FAST_MATH__
+#error "zerkalo promises equal bits: -ffast-math breaks every one of them"
+#endif
+
+#ifndef ZERKALO_ISA
+#define ZERKALO_ISA isa_baseline
+#endif
+
+// Forced inlining: structs of lanes passed to a function that is not inlined go through memory.
+#define ZERKALO_INLINE inline __attribute__((always_inline))
+#define ZERKALO_INLINE_LAMBDA __attribute__((always_inline))

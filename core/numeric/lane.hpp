@@ -1,0 +1,295 @@
+// Lanes of float: W values that one instruction works on. The only file that names the vendor library.
+//
+// Width 1 is a real width: `Real<1>` is float itself, and the free functions below exist for it too, so the serial
+// renderer that one steps through in a debugger is the SIMD renderer at width 1.
+// Float contract (equal bits everywhere): + - * / sqrt, compare, select and bit operations only. No fused multiply-add,
+// no reciprocal estimates, no sums across lanes; min and max are compare and select.
+#pragma once
+
+#include "core/numeric/isa.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <xsimd/xsimd.hpp>
+#if defined(__aarch64__)
+#include <arm_neon.h>
+#endif
+
+namespace zerkalo::inline ZERKALO_ISA {
+
+template <int W>
+struct ArchOf;
+#if defined(__aarch64__)
+template <>
+struct ArchOf<4> { using type = xsimd::neon64; };
+#elif defined(__SSE2__)
+#if defined(__SSE4_2__)
+template <>
+struct ArchOf<4> { using type = xsimd::sse4_2; };
+#else
+template <>
+struct ArchOf<4> { using type = xsimd::sse2; };
+#endif
+#if defined(__AVX2__)
+template <>
+struct ArchOf<8> { using type = xsimd::avx2; };
+#endif
+#if defined(__AVX512BW__) && defined(__AVX512DQ__)
+template <>
+struct ArchOf<16> { using type = xsimd::avx512bw; };
+#endif
+#endif
+
+template <int W>
+using FloatBatch = xsimd::batch<float, typename ArchOf<W>::type>;
+template <int W>
+using BitsBatch = xsimd::batch<std::uint32_t, typename ArchOf<W>::type>;
+
+/// One boolean a lane.
+template <int W>
+struct LaneMask {
+    using Batch = xsimd::batch_bool<float, typename ArchOf<W>::type>;
+    Batch v;
+
+    LaneMask() = default;
+    ZERKALO_INLINE LaneMask(Batch b) : v(b) {}
+    ZERKALO_INLINE LaneMask(bool uniform) : v(uniform) {}
+    friend ZERKALO_INLINE LaneMask operator&(LaneMask a, LaneMask b) { return Batch(a.v & b.v); }
+    friend ZERKALO_INLINE LaneMask operator|(LaneMask a, LaneMask b) { return Batch(a.v | b.v); }
+    friend ZERKALO_INLINE LaneMask operator!(LaneMask a) { return Batch(~a.v); }
+};
+
+/// W floats. A float converts to all lanes alike.
+template <int W>
+struct Lanes {
+    using Batch = FloatBatch<W>;
+    Batch v;
+
+    Lanes() = default;
+    ZERKALO_INLINE Lanes(float uniform) : v(uniform) {}
+    ZERKALO_INLINE explicit Lanes(Batch b) : v(b) {}
+    friend ZERKALO_INLINE Lanes operator+(Lanes a, Lanes b) { return Lanes(Batch(a.v + b.v)); }
+    friend ZERKALO_INLINE Lanes operator-(Lanes a, Lanes b) { return Lanes(Batch(a.v - b.v)); }
+    friend ZERKALO_INLINE Lanes operator*(Lanes a, Lanes b) { return Lanes(Batch(a.v * b.v)); }
+    friend ZERKALO_INLINE Lanes operator/(Lanes a, Lanes b) {
+#if defined(__aarch64__)
+        // The library refines an estimate here, off by an ulp or two; the instruction is exact.
+        return Lanes(Batch(vdivq_f32(a.v, b.v)));
+#else
+        return Lanes(Batch(a.v / b.v));
+#endif
+    }
+    friend ZERKALO_INLINE Lanes operator-(Lanes a) { return Lanes(Batch(-a.v)); }
+    friend ZERKALO_INLINE LaneMask<W> operator<(Lanes a, Lanes b) { return a.v < b.v; }
+    friend ZERKALO_INLINE LaneMask<W> operator>(Lanes a, Lanes b) { return a.v > b.v; }
+    friend ZERKALO_INLINE LaneMask<W> operator<=(Lanes a, Lanes b) { return a.v <= b.v; }
+    friend ZERKALO_INLINE LaneMask<W> operator>=(Lanes a, Lanes b) { return a.v >= b.v; }
+    friend ZERKALO_INLINE LaneMask<W> operator==(Lanes a, Lanes b) { return a.v == b.v; }
+    friend ZERKALO_INLINE LaneMask<W> operator!=(Lanes a, Lanes b) { return a.v != b.v; }
+};
+
+/// The bit patterns of W floats, or W unsigned integers; arithmetic wraps.
+template <int W>
+struct LaneBits {
+    using Batch = BitsBatch<W>;
+    Batch v;
+
+    LaneBits() = default;
+    ZERKALO_INLINE LaneBits(std::uint32_t uniform) : v(uniform) {}
+    ZERKALO_INLINE explicit LaneBits(Batch b) : v(b) {}
+    friend ZERKALO_INLINE LaneBits operator+(LaneBits a, LaneBits b) { return LaneBits(Batch(a.v + b.v)); }
+    friend ZERKALO_INLINE LaneBits operator-(LaneBits a, LaneBits b) { return LaneBits(Batch(a.v - b.v)); }
+    friend ZERKALO_INLINE LaneBits operator*(LaneBits a, LaneBits b) { return LaneBits(Batch(a.v * b.v)); }
+    friend ZERKALO_INLINE LaneBits operator&(LaneBits a, LaneBits b) { return LaneBits(Batch(a.v & b.v)); }
+    friend ZERKALO_INLINE LaneBits operator|(LaneBits a, LaneBits b) { return LaneBits(Batch(a.v | b.v)); }
+    friend ZERKALO_INLINE LaneBits operator^(LaneBits a, LaneBits b) { return LaneBits(Batch(a.v ^ b.v)); }
+    friend ZERKALO_INLINE LaneBits operator<<(LaneBits a, int n) { return LaneBits(Batch(a.v << n)); }
+    friend ZERKALO_INLINE LaneBits operator>>(LaneBits a, int n) { return LaneBits(Batch(a.v >> n)); }
+};
+
+template <class R>
+struct LaneTraits;
+template <>
+struct LaneTraits<float> {
+    using Mask = bool;
+    using Bits = std::uint32_t;
+    static constexpr int kWidth = 1;
+};
+template <int W>
+struct LaneTraits<Lanes<W>> {
+    using Mask = LaneMask<W>;
+    using Bits = LaneBits<W>;
+    static constexpr int kWidth = W;
+};
+template <int W>
+struct RealOf { using type = Lanes<W>; };
+template <>
+struct RealOf<1> { using type = float; };
+
+/// W floats: float itself at width 1.
+template <int W>
+using Real = typename RealOf<W>::type;
+template <class R>
+using Mask = typename LaneTraits<R>::Mask;
+template <class R>
+using Bits = typename LaneTraits<R>::Bits;
+template <class R>
+constexpr int kWidth = LaneTraits<R>::kWidth;
+
+ZERKALO_INLINE bool any(bool m) { return m; }
+ZERKALO_INLINE bool all(bool m) { return m; }
+ZERKALO_INLINE bool none(bool m) { return !m; }
+ZERKALO_INLINE std::uint32_t bits_of(bool m) { return m ? 1u : 0u; }
+ZERKALO_INLINE float select(bool m, float a, float b) { return m ? a : b; }
+ZERKALO_INLINE bool select(bool m, bool a, bool b) { return m ? a : b; }
+ZERKALO_INLINE float sqrt(float a) { return __builtin_sqrtf(a); }
+ZERKALO_INLINE float min(float a, float b) { return a < b ? a : b; }
+ZERKALO_INLINE float max(float a, float b) { return a > b ? a : b; }
+ZERKALO_INLINE std::uint32_t to_bits(float a) { return std::bit_cast<std::uint32_t>(a); }
+ZERKALO_INLINE float from_bits(std::uint32_t a) { return std::bit_cast<float>(a); }
+
+template <int W>
+ZERKALO_INLINE bool any(LaneMask<W> m) { return xsimd::any(m.v); }
+template <int W>
+ZERKALO_INLINE bool all(LaneMask<W> m) { return xsimd::all(m.v); }
+template <int W>
+ZERKALO_INLINE bool none(LaneMask<W> m) { return !xsimd::any(m.v); }
+
+/// Bit k is lane k.
+template <int W>
+ZERKALO_INLINE std::uint32_t bits_of(LaneMask<W> m) {
+#if defined(__aarch64__)
+    const uint32x4_t weights = {1, 2, 4, 8};
+    return vaddvq_u32(vandq_u32(m.v, weights));
+#else
+    if constexpr (W == 4) {
+        return static_cast<std::uint32_t>(_mm_movemask_ps(m.v));
+    } else if constexpr (W == 8) {
+#if defined(__AVX2__)
+        return static_cast<std::uint32_t>(_mm256_movemask_ps(m.v));
+#endif
+    } else {
+        return static_cast<std::uint32_t>(static_cast<typename LaneMask<W>::Batch::register_type>(m.v));
+    }
+#endif
+}
+
+template <int W>
+ZERKALO_INLINE Lanes<W> select(LaneMask<W> m, Lanes<W> a, Lanes<W> b) { return Lanes<W>(xsimd::select(m.v, a.v, b.v)); }
+template <int W>
+ZERKALO_INLINE Lanes<W> select(LaneMask<W> m, Lanes<W> a, float b) { return select(m, a, Lanes<W>(b)); }
+template <int W>
+ZERKALO_INLINE Lanes<W> select(LaneMask<W> m, float a, Lanes<W> b) { return select(m, Lanes<W>(a), b); }
+template <int W>
+ZERKALO_INLINE LaneMask<W> select(LaneMask<W> m, LaneMask<W> a, LaneMask<W> b) { return (m & a) | ((!m) & b); }
+
+template <int W>
+ZERKALO_INLINE Lanes<W> sqrt(Lanes<W> a) {
+#if defined(__aarch64__)
+    return Lanes<W>(FloatBatch<W>(vsqrtq_f32(a.v)));
+#else
+    return Lanes<W>(xsimd::sqrt(a.v));
+#endif
+}
+
+/// a < b ? a : b, so b where either is NaN: the x86 instruction says exactly this, NEON's does not.
+template <int W>
+ZERKALO_INLINE Lanes<W> min(Lanes<W> a, Lanes<W> b) {
+#if defined(__SSE2__)
+    return Lanes<W>(xsimd::min(a.v, b.v));
+#else
+    return select(a < b, a, b);
+#endif
+}
+
+/// a > b ? a : b, so b where either is NaN.
+template <int W>
+ZERKALO_INLINE Lanes<W> max(Lanes<W> a, Lanes<W> b) {
+#if defined(__SSE2__)
+    return Lanes<W>(xsimd::max(a.v, b.v));
+#else
+    return select(a > b, a, b);
+#endif
+}
+template <int W>
+ZERKALO_INLINE Lanes<W> min(Lanes<W> a, float b) { return min(a, Lanes<W>(b)); }
+template <int W>
+ZERKALO_INLINE Lanes<W> max(Lanes<W> a, float b) { return max(a, Lanes<W>(b)); }
+
+template <int W>
+ZERKALO_INLINE LaneBits<W> to_bits(Lanes<W> a) {
+#if XSIMD_VERSION_MAJOR < 10
+    return LaneBits<W>(xsimd::bitwise_cast<BitsBatch<W>>(a.v));
+#else
+    return LaneBits<W>(xsimd::bitwise_cast<std::uint32_t>(a.v));
+#endif
+}
+template <int W>
+ZERKALO_INLINE Lanes<W> from_bits(LaneBits<W> a) {
+#if XSIMD_VERSION_MAJOR < 10
+    return Lanes<W>(xsimd::bitwise_cast<FloatBatch<W>>(a.v));
+#else
+    return Lanes<W>(xsimd::bitwise_cast<float>(a.v));
+#endif
+}
+
+/// Unaligned: `source` holds kWidth<R> floats.
+template <class R>
+ZERKALO_INLINE R load(const float* source) {
+    if constexpr (kWidth<R> == 1) {
+        return *source;
+    } else {
+        return R(R::Batch::load_unaligned(source));
+    }
+}
+ZERKALO_INLINE void store(float* target, float a) { *target = a; }
+template <int W>
+ZERKALO_INLINE void store(float* target, Lanes<W> a) { a.v.store_unaligned(target); }
+
+template <class R>
+ZERKALO_INLINE Bits<R> load_bits(const std::uint32_t* source) {
+    if constexpr (kWidth<R> == 1) {
+        return *source;
+    } else {
+        return Bits<R>(Bits<R>::Batch::load_unaligned(source));
+    }
+}
+
+/// The same bits with the sign flipped where `sign` is negative (also -0).
+template <class R>
+ZERKALO_INLINE R flip_sign(R a, R sign) {
+    return from_bits(to_bits(a) ^ (to_bits(sign) & Bits<R>(0x80000000u)));
+}
+template <class R>
+ZERKALO_INLINE R absolute(R a) {
+    return from_bits(to_bits(a) & Bits<R>(0x7fffffffu));
+}
+
+ZERKALO_INLINE float first_lane(float a) { return a; }
+ZERKALO_INLINE float largest_lane(float a) { return a; }
+template <int W>
+ZERKALO_INLINE float first_lane(Lanes<W> a) { return a.v.get(0); }
+
+/// For decisions about whole packets only: no lane's value may depend on another's.
+template <int W>
+ZERKALO_INLINE float largest_lane(Lanes<W> a) {
+    alignas(64) float lanes[W];
+    store(lanes, a);
+    float largest = lanes[0];
+    for (int k = 1; k < W; ++k) largest = max(largest, lanes[k]);
+    return largest;
+}
+
+/// Number of lanes set in the mask.
+template <class M>
+ZERKALO_INLINE std::uint32_t count_of(M mask) {
+    const std::uint32_t bits = bits_of(mask);
+#if defined(__POPCNT__)
+    return static_cast<std::uint32_t>(__builtin_popcount(bits));
+#else
+    // Widths without a population count have at most four lanes: sixteen answers of four bits each.
+    return static_cast<std::uint32_t>(0x4332322132212110u >> (4 * bits)) & 15u;
+#endif
+}
+
+}  // namespace zerkalo::inline ZERKALO_ISA

@@ -1,0 +1,54 @@
+// Directions of light at a surface: reflection (seed formulas 1.1, 1.2) and refraction (Snell).
+#pragma once
+
+#include "core/geometry/algebra.hpp"
+
+namespace zerkalo::inline ZERKALO_ISA {
+
+/// Seed formula 1.2 for a ray that travels along d and meets a surface with unit normal n: d - 2 n (n.d).
+template <class D>
+ZERKALO_INLINE Vec3<D> reflect(Vec3<D> d, Vec3<D> n) {
+    const D cosine = as<D>(dot(d, n));
+    return d - as<D>(n * (cosine + cosine));
+}
+
+/// The same for a direction l that points away from the surface (towards the light): 2 n (n.l) - l.
+template <class D>
+ZERKALO_INLINE Vec3<D> mirror_direction(Vec3<D> l, Vec3<D> n, D n_dot_l) {
+    return as<D>(n * (n_dot_l + n_dot_l)) - l;
+}
+
+template <class R>
+struct Refraction {
+    Vec3<R> d;           // unit direction behind the surface; meaningless where total
+    Mask<R> total;       // total internal reflection: nothing goes through
+};
+
+/// Snell's law for d meeting the normal n (n.d < 0); eta = index before / index behind.
+/// 1 - eta^2 sin^2 is taken as (1 - eta s)(1 + eta s), s = |d x n|: no cancellation at the critical angle.
+template <class R>
+ZERKALO_INLINE Refraction<R> refract(Vec3<R> d, Vec3<R> n, R eta) {
+    const Vec3<R> across = cross(d, n);
+    const R eta_sine = eta * sqrt(dot(across, across));
+    const R cosine2 = (R(1) - eta_sine) * (R(1) + eta_sine);
+    const auto total = cosine2 < R(0);
+    const R cosine = -dot(d, n);
+    const R along_n = eta * cosine - sqrt(max(cosine2, R(0)));
+    return {d * eta + n * along_n, total};
+}
+
+/// Two unit vectors that make an orthonormal frame with the unit vector m, without a branch.
+/// Source: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
+template <class R>
+struct Tangents {
+    Vec3<R> t, b;
+};
+template <class R>
+ZERKALO_INLINE Tangents<R> tangents_of(Vec3<R> m) {
+    const R sign = flip_sign(R(1), m.z);
+    const R a = R(-1) / (sign + m.z);
+    const R c = m.x * m.y * a;
+    return {{R(1) + sign * m.x * m.x * a, sign * c, -(sign * m.x)}, {c, sign + m.y * m.y * a, -m.y}};
+}
+
+}  // namespace zerkalo::inline ZERKALO_ISA

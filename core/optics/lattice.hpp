@@ -1,0 +1,82 @@
+// Where the lobe rays of an unpolished mirror go: a Fibonacci lattice in lobe coordinates, rotated in azimuth only.
+//
+// Point i of N: u = (i + 1/2) / N, azimuth = frac(i g), g the golden ratio's inverse. In a lobe cos^n the ray at u has
+// cos(theta) = u^(1/(n+1)). u is a midpoint rule and must not be shifted; the azimuth is periodic, so a rotation per
+// pixel costs no accuracy and decorrelates neighbours. Any N. Every function is pure in (pixel, index).
+//
+// Rotations come in four classes, one of each in every block of 2x2 pixels, in an order that a hash picks: the eye
+// averages four lattices at once, and pixels of a class, whose rays run side by side, share packets.
+// Source: Marques et al., "Spherical Fibonacci Point Sets for Illumination Integrals", CGF 32(8), 2013.
+#pragma once
+
+#include "core/numeric/elementary.hpp"
+#include "core/optics/optics_data.hpp"
+
+namespace zerkalo::inline ZERKALO_ISA {
+
+constexpr std::uint32_t kGoldenTurn = 0x9e3779b9u;  // 2^32 / golden ratio: a turn is 2^32
+
+/// A turn as a fraction -1/2..1/2 of itself, from a phase that wraps at 2^32.
+template <class R>
+ZERKALO_INLINE R turn_of_phase(Bits<R> phase) {
+    // 23 bits become a float in [1, 2).
+    return from_bits((phase >> 9) | Bits<R>(0x3f800000u)) - R(1.5f);
+}
+
+/// Well mixed bits of a 32-bit key. Source: Wellons, "Prospecting for Hash Functions" (lowbias32), 2018.
+template <class B>
+ZERKALO_INLINE B hash_bits(B key) {
+    key = (key ^ (key >> 16)) * B(0x7feb352du);
+    key = (key ^ (key >> 15)) * B(0x846ca68bu);
+    return key ^ (key >> 16);
+}
+
+constexpr int kLatticeClasses = 4;
+
+/// Which class the pixel (x, y) of an 8x8 tile belongs to; `tile_hash` holds two bits for each of its 16 blocks.
+ZERKALO_INLINE int lattice_class(std::uint32_t tile_hash, int x, int y) {
+    const int block = (y / 2) * 4 + x / 2;
+    const int corner = (y & 1) * 2 + (x & 1);
+    return corner ^ static_cast<int>((tile_hash >> (2 * block)) & 3u);
+}
+
+/// By how much of a turn a class is rotated, for the given camera sample and mirror bounce.
+ZERKALO_INLINE float turn_of_class(int lattice_class, std::uint32_t camera_sample, std::uint32_t bounce) {
+    const std::uint32_t base = hash_bits(camera_sample * 256u + bounce + 1u);
+    return turn_of_phase<float>(base + (static_cast<std::uint32_t>(lattice_class) << 30));
+}
+
+/// A direction in the lobe's frame: `forward` along the axis, `side` and `up` across.
+template <class R>
+struct LobePoint {
+    R side, up, forward;
+};
+
+/// u in (0, 1): the share of the lobe's energy farther out than this point.
+template <class R>
+ZERKALO_INLINE LobePoint<R> lobe_point(R u, R turn, R inverse_exponent) {
+    // 1 - cos(theta) = 1 - u^(1/(n+1)) without cancellation, so that a lobe of n = 1e9 keeps its width.
+    const R e = log2_of(u, R(0)) * inverse_exponent;
+    const auto narrow = e > R(-0.5f);
+    const R from_axis = select(narrow, -exp2_minus_one(select(narrow, e, R(0))), R(1) - exp2(e));
+    const R radius = sqrt(from_axis * (R(2) - from_axis));
+    const SineCosine<R> azimuth = sincos_turn(turn);
+    return {radius * azimuth.cosine, radius * azimuth.sine, R(1) - from_axis};
+}
+
+/// Lattice points index, index + 1, ... of `count`, one a lane.
+template <class R>
+ZERKALO_INLINE LobePoint<R> lattice_point(Bits<R> index, std::int32_t count, R inverse_exponent) {
+    // Exact for index < 2^23: the low bits of a float in [2^23, 2^24).
+    const R i = from_bits(index | Bits<R>(0x4b000000u)) - R(8388608.0f);
+    const R u = (i + R(0.5f)) / R(float(count));
+    return lobe_point(u, turn_of_phase<R>(index * Bits<R>(kGoldenTurn)), inverse_exponent);
+}
+
+/// max-Phong: min(1, cos_i / cos_o), nothing from below.
+template <class R>
+ZERKALO_INLINE R lobe_weight(R cosine, R inverse_cosine_out) {
+    return max(min(cosine * inverse_cosine_out, R(1)), R(0));
+}
+
+}  // namespace zerkalo::inline ZERKALO_ISA

@@ -1,0 +1,164 @@
+// What a ray meets first, and whether a light is visible, for rays that may start anywhere: inside a solid, on any
+// surface, far away. The general twin of visibility.hpp.
+//
+// No epsilon. A ray that leaves a surface knows which one, and on which side it travels:
+//     outside of a convex solid    it cannot meet that solid again: left out by identity
+//     inside of a convex solid     one root is zero analytically: the other, the exit, is taken
+//     from a mesh                  only front faces (outside) or back faces (inside), and not the own triangle
+//     from a plane mirror          it cannot meet it again; from a curved one: the chord, in closed form
+#pragma once
+
+#include "core/render/shade.hpp"
+
+namespace zerkalo::inline ZERKALO_ISA {
+
+/// Where rays start: the surface they leave (solid k, mirror kMaxSolids + m, or -1), its face, and the side.
+template <class R>
+struct Departure {
+    R id, face;
+    Mask<R> inside;  // travelling inside the solid `id`
+};
+
+template <class R>
+struct AnyHit {
+    R t, id, face;
+    Mask<R> from_inside;
+    R x, y, z;  // on a mirror, in its frame
+};
+
+template <class R>
+ZERKALO_INLINE void keep_convex(AnyHit<R>& best, const Span<FloatNumbers<R>>& span, const SolidPlan& solid,
+                                const Departure<R>& from, Mask<R> active, R t_min) {
+    const auto own = from.id == R(solid.id);
+    const auto real = active & (span.entry <= span.exit) & ((!own) | from.inside);
+    const auto enters = real & (!own) & (span.entry > t_min);
+    const auto leaves = real & (!enters) & (span.exit > t_min);
+    const R t = select(enters, span.entry, span.exit);
+    const auto nearer = (enters | leaves) & (t < best.t);
+    best.t = select(nearer, t, best.t);
+    best.id = select(nearer, R(solid.id), best.id);
+    best.face = select(nearer, select(enters, span.face_in, span.face_out), best.face);
+    best.from_inside = select(nearer, Mask<R>(leaves), best.from_inside);
+}
+
+template <class R>
+ZERKALO_INLINE MeshSides<R> sides_open_to(const SolidPlan& solid, const Departure<R>& from) {
+    const auto own = from.id == R(solid.id);
+    return {Mask<R>((!own) | (!from.inside)), Mask<R>((!own) | from.inside), select(own, from.face, R(-1))};
+}
+
+template <class R>
+ZERKALO_INLINE void keep_mesh(AnyHit<R>& best, const Plan& plan, const SolidPlan& solid, Vec3<R> o, Vec3<R> d,
+                              const Departure<R>& from, Mask<R> active, R t_min) {
+    const TriangleData* triangles = plan.triangles + solid.mesh.first;
+    const MeshHit<R> hit =
+        mesh_hit(triangles, solid.mesh.count, o, d, t_min, best.t, sides_open_to(solid, from));
+    const auto nearer = active & hit.hit;
+    best.t = select(nearer, hit.t, best.t);
+    best.id = select(nearer, R(solid.id), best.id);
+    best.face = select(nearer, hit.face, best.face);
+    best.from_inside = select(nearer, hit.back, best.from_inside);
+}
+
+/// Mirror m met by rays from anywhere, its own ones included. Solids win ties: only a smaller t counts.
+template <class R>
+ZERKALO_INLINE MirrorHit<FloatNumbers<R>> any_mirror_hit(const Plan& plan, int m, Vec3<R> o, Vec3<R> d,
+                                                         const Departure<R>& from, R t_min) {
+    using N = FloatNumbers<R>;
+    const MirrorPlan& mirror = plan.mirrors[m];
+    const auto own = from.id == R(float(kMaxSolids + m));
+    const Vec3<R> local_o = mirror_seen_from<N>(mirror.shape, o);
+    MirrorHit<N> hit = plane_or_curved(mirror, local_o, d, t_min);
+    hit.hit = hit.hit & (!own);
+    if (mirror.curved && any(own)) {
+        const auto chord = own_chord_hit<N>(mirror.shape, local_o, in_mirror_axes(mirror.shape, d), R(0));
+        hit.hit = hit.hit | (own & chord.hit);
+        hit.t = select(own, chord.t, hit.t);
+        hit.x = select(own, chord.x, hit.x);
+        hit.y = select(own, chord.y, hit.y);
+        hit.z = select(own, chord.z, hit.z);
+    }
+    return hit;
+}
+
+/// The nearest surface with t > t_min; t is infinite and id -1 where there is none.
+template <class R>
+ZERKALO_INLINE AnyHit<R> nearest_anywhere(const Plan& plan, CandidateMask candidates, Vec3<R> o, Vec3<R> d,
+                                          const Departure<R>& from, Mask<R> active, R t_min) {
+    AnyHit<R> best{far_away<R>(), R(-1), R(0), Mask<R>(false), R(0), R(0), R(0)};
+    for (CandidateMask left = solids_in(candidates); left != 0; left &= left - 1) {
+        const int k = first_of(left);
+        const SolidPlan& solid = plan.solids[k];
+        if (!plan.exact_plan && !may_meet(solid, o, d, active)) continue;
+        if (solid.shape == ShapeKind::mesh) {
+            keep_mesh(best, plan, solid, o, d, from, active, t_min);
+        } else {
+            with_span<Faces::both>(plan, k, PointOrigin<R>{o}, d, [&](const Span<FloatNumbers<R>>& span)
+                                                                     ZERKALO_INLINE_LAMBDA {
+                keep_convex(best, span, solid, from, active, t_min);
+            });
+        }
+    }
+    for (CandidateMask left = mirrors_in(candidates); left != 0; left &= left - 1) {
+        const int m = first_of(left);
+        const auto hit = any_mirror_hit(plan, m, o, d, from, t_min);
+        const auto nearer = active & hit.hit & (hit.t < best.t);
+        best.t = select(nearer, hit.t, best.t);
+        best.id = select(nearer, R(float(kMaxSolids + m)), best.id);
+        best.from_inside = best.from_inside & (!nearer);
+        best.x = select(nearer, hit.x, best.x);
+        best.y = select(nearer, hit.y, best.y);
+        best.z = select(nearer, hit.z, best.z);
+    }
+    return best;
+}
+
+/// Lanes in which convex solid k stands between a spot and its light: a wall of it lies strictly between.
+template <class R>
+ZERKALO_INLINE Mask<R> hidden_by_walls(const Span<FloatNumbers<R>>& span, R distance, Mask<R> own, Mask<R> inside,
+                                       Mask<R> light_outside) {
+    const auto crosses = (span.entry <= span.exit) & (span.entry < distance) & (span.exit > R(0)) &
+                         ((span.entry > R(0)) | (span.exit < distance));
+    return select(own, Mask<R>(inside & light_outside), Mask<R>(crosses));
+}
+
+/// As hide_by_solid(), for a spot on any side of any surface.
+template <class R>
+ZERKALO_INLINE void hide_anywhere(Mask<R>& visible, const Plan& plan, int j, int k, const ToLight<R>& to, Vec3<R> p,
+                                  const Departure<R>& spot) {
+    const SolidPlan& solid = plan.solids[k];
+    const auto own = spot.id == R(solid.id);
+    if (solid.shape == ShapeKind::mesh) {
+        const auto hit = mesh_hit(plan.triangles + solid.mesh.first, solid.mesh.count, p, to.l, R(0), to.distance,
+                                  sides_open_to(solid, spot));
+        visible = visible & (!hit.hit);
+    } else if (plan.lights[j].distant) {
+        // Only the surface's own digits are good enough here: look from the spot towards the light.
+        with_span<Faces::none>(plan, k, PointOrigin<R>{p}, to.l, [&](const Span<FloatNumbers<R>>& span)
+                                                                    ZERKALO_INLINE_LAMBDA {
+            visible = visible & (!hidden_by_walls(span, to.distance, own, spot.inside, span.exit < to.distance));
+        });
+    } else {
+        with_span<Faces::none>(plan, k, SharedOrigin{j}, -to.l, [&](const Span<FloatNumbers<R>>& span)
+                                                                   ZERKALO_INLINE_LAMBDA {
+            visible = visible & (!hidden_by_walls(span, to.distance, own, spot.inside, span.entry > R(0)));
+        });
+    }
+}
+
+template <class R>
+ZERKALO_INLINE Mask<R> visible_anywhere(const Plan& plan, int j, CandidateMask blockers, const ToLight<R>& to,
+                                        Vec3<R> p, const Departure<R>& spot, Mask<R> lit) {
+    Mask<R> visible = lit;
+    for (CandidateMask left = solids_in(blockers); left != 0; left &= left - 1) {
+        hide_anywhere(visible, plan, j, first_of(left), to, p, spot);
+        if (none(visible)) return visible;
+    }
+    for (CandidateMask left = mirrors_in(blockers); left != 0; left &= left - 1) {
+        const auto hit = any_mirror_hit(plan, first_of(left), p, to.l, spot, R(0));
+        visible = visible & (!(hit.hit & (hit.t < to.distance)));
+    }
+    return visible;
+}
+
+}  // namespace zerkalo::inline ZERKALO_ISA

@@ -1,0 +1,48 @@
+// From what a person writes to what a kernel reads: one solid, one mirror, one light at a time, in double.
+#pragma once
+
+#include "core/geometry/frame.hpp"
+#include "core/render/plan.hpp"
+
+namespace zerkalo {
+
+/// A ball around an object, in world coordinates, exact to rounding.
+struct Ball {
+    Vec3<double> centre;
+    double radius;
+};
+
+/// Corners whose convex hull contains a solid (a mesh: all its corners). At most 3 * kMaxTriangles.
+struct Hull {
+    std::int32_t count = 0;
+    Vec3<double> points[3 * kMaxTriangles];
+};
+
+/// Unit axes and middle of a solid in world coordinates; the middle is half its height above the base.
+struct Placement {
+    Vec3<double> axis_x, axis_y, axis_z, middle;
+};
+
+Placement placement_of(const Solid& solid);
+Ball ball_of(const Scene& scene, const Solid& solid);
+void hull_of(const Scene& scene, const Solid& solid, Hull& hull);
+
+/// Fills plan.solids[k] and the solid's share of the pools; `slabs`, `triangles`: pool entries in use, advanced.
+void derive_solid(const Scene& scene, std::int32_t k, std::int32_t& slabs, std::int32_t& triangles, Plan& plan);
+
+/// A lower bound of the distance from p to the solid's surface from outside; negative inside. Not for meshes.
+double clearance(const Plan& plan, const SolidPlan& solid, const Vec3<double>& p);
+
+/// Right, v, n of a mirror.
+struct MirrorFrame {
+    Vec3<double> right, v, n;
+};
+MirrorFrame frame_of(const Mirror& mirror);
+Ball ball_of(const Mirror& mirror);
+void hull_of(const Mirror& mirror, Hull& hull);
+void derive_mirror(const Mirror& mirror, const Rgb<double>& ambient, const Settings& settings, MirrorPlan& out);
+
+LightData derive_light(const Light& light);
+SurfaceData derive_surface(const Material& material, const Rgb<double>& ambient);
+
+}  // namespace zerkalo

@@ -1,0 +1,149 @@
+#include "core/render/derive.hpp"
+#include "core/scene/outline.hpp"
+
+namespace zerkalo {
+namespace {
+
+constexpr double kLargestFloat = 0x1.fffffep+127;
+constexpr double kTailBound = 0x1p-11;  // share of a lobe's energy that culling may leave out
+
+Rgb<float> rounded_colour(const Rgb<double>& c) {
+    const auto saturated = [](double x) { return float(x < kLargestFloat ? x : kLargestFloat); };
+    return {saturated(c.r), saturated(c.g), saturated(c.b)};
+}
+
+double larger(double a, double b) { return a > b ? a : b; }
+
+/// 1 - u^(1/(n+1)), the distance of a lattice ray from the lobe's axis, 1 - cos(theta).
+double distance_from_axis(double u, double exponent) {
+    const double e = natural_log(u) / (exponent + 1);
+    // For wide exponents the series of 1 - e^x keeps its digits.
+    return e > -1e-5 ? -e * (1 + e / 2) : 1 - exponential(e);
+}
+
+LobeData lobe_of(const Mirror& mirror, std::int32_t samples) {
+    LobeData lobe{};
+    const double n = mirror.lobe_exponent;
+    lobe.glossy = n < kInfinity;
+    lobe.max_phong = mirror.lobe == Lobe::max_phong;
+    if (!lobe.glossy) return lobe;
+    lobe.inverse_exponent = float(1 / (n + 1));
+    const double widest = 0.5 / samples;
+    // Room for the rounding of lattice and frame: both far below 2^-18.
+    constexpr double kRoom = 0x1p-18;
+    const auto cone = [&](double u) {
+        const double from_axis = distance_from_axis(u, n) * (1 + kRoom) + kRoom * kRoom;
+        return from_axis < 1 ? from_axis : 1.0;
+    };
+    const double cull = cone(larger(widest, kTailBound)), all = cone(widest);
+    lobe.cosine = float((1 - cull) * (1 - kRoom * kRoom));
+    lobe.sine = float(square_root(cull * (2 - cull)) * (1 + kRoom));
+    lobe.widest_sine = float(square_root(all * (2 - all)) * (1 + kRoom) + kRoom);
+    return lobe;
+}
+
+BoundaryData boundary_of(const Boundary& b) {
+    BoundaryData out{};
+    out.shape = b.shape;
+    out.half_width = float(b.width / 2), out.half_height = float(b.height / 2);
+    const bool disc = b.shape == BoundaryShape::disc;
+    out.inverse_a = float(disc ? 1 / b.radius : 2 / b.width);
+    out.inverse_b = float(disc ? 1 / b.radius : 2 / b.height);
+    if (b.shape != BoundaryShape::polygon) return out;
+    out.corner_count = b.corner_count;
+    double twice_area = 0;
+    for (std::int32_t k = 0; k < b.corner_count; ++k) {
+        const auto& p = b.corners[k];
+        const auto& q = b.corners[(k + 1) % b.corner_count];
+        twice_area += p.x * q.y - p.y * q.x;
+    }
+    for (std::int32_t k = 0; k < b.corner_count; ++k) {
+        const auto& p = b.corners[k];
+        const auto& q = b.corners[(k + 1) % b.corner_count];
+        const double sense = twice_area > 0 ? 1 : -1;
+        const double nx = sense * (q.y - p.y), ny = sense * (p.x - q.x);
+        out.edges[k] = {float(nx), float(ny), float(nx * p.x + ny * p.y)};
+    }
+    return out;
+}
+
+/// Height of the sphere above the tangent plane at the boundary's rim; 0 for a plane.
+double sagitta(const Mirror& mirror) {
+    const double kappa = 1 / mirror.curvature_radius;
+    const double rho = farthest_point(mirror.boundary);
+    return kappa * rho * rho / (1 + square_root(larger(0, 1 - kappa * kappa * rho * rho)));
+}
+
+}  // namespace
+
+SurfaceData derive_surface(const Material& m, const Rgb<double>& ambient) {
+    const Rgb<double> white{m.specular, m.specular, m.specular};
+    return {rounded_colour(scaled(m.color * ambient, m.ambient)), rounded_colour(scaled(m.color, m.diffuse)),
+            rounded_colour(white), float(m.shininess < kLargestFloat ? m.shininess : kLargestFloat)};
+}
+
+LightData derive_light(const Light& light) {
+    LightData out{};
+    out.position = rounded(light.position);
+    out.power = rounded_colour(scaled(light.color, light.intensity));
+    out.inverse_square = light.falloff == Falloff::inverse_square;
+    // (1 - x)^n <= e^(-n x): beyond this n x the highlight is below 2^-24 of full brightness.
+    const double brightest = larger(1, larger(out.power.r, larger(out.power.g, out.power.b)));
+    out.highlight_limit = out.inverse_square ? float(kLargestFloat) : float(natural_log(brightest * 0x1p24));
+    return out;
+}
+
+MirrorFrame frame_of(const Mirror& mirror) {
+    const Point n = unit(mirror.normal);
+    const Point right = unit(cross(usable_up(n, mirror.up), n));
+    return {right, cross(n, right), n};
+}
+
+Ball ball_of(const Mirror& mirror) {
+    const double rho = farthest_point(mirror.boundary), z = sagitta(mirror);
+    return {mirror.position + unit(mirror.normal) * (z / 2), length({rho, z / 2, 0})};
+}
+
+void hull_of(const Mirror& mirror, Hull& hull) {
+    const MirrorFrame frame = frame_of(mirror);
+    const Boundary& b = mirror.boundary;
+    const double z = sagitta(mirror);
+    hull.count = 0;
+    const auto add = [&](double x, double y) {
+        const Point foot = mirror.position + frame.right * x + frame.v * y;
+        hull.points[hull.count++] = foot;
+        if (z != 0) hull.points[hull.count++] = foot + frame.n * z;
+    };
+    if (b.shape == BoundaryShape::polygon) {
+        for (std::int32_t k = 0; k < b.corner_count; ++k) add(b.corners[k].x, b.corners[k].y);
+        return;
+    }
+    const bool disc = b.shape == BoundaryShape::disc;
+    const double x = disc ? b.radius : b.width / 2, y = disc ? b.radius : b.height / 2;
+    add(-x, -y), add(x, -y), add(-x, y), add(x, y);
+}
+
+void derive_mirror(const Mirror& mirror, const Rgb<double>& ambient, const Settings& settings, MirrorPlan& out) {
+    out = MirrorPlan{};
+    const MirrorFrame frame = frame_of(mirror);
+    out.shape.vertex = rounded(mirror.position);
+    out.shape.right = rounded(frame.right), out.shape.v = rounded(frame.v), out.shape.n = rounded(frame.n);
+    out.shape.kappa = float(1 / mirror.curvature_radius);
+    out.shape.boundary = boundary_of(mirror.boundary);
+    out.curved = out.shape.kappa != 0;
+    out.lobe = lobe_of(mirror, settings.samples);
+
+    const bool shines = mirror.shininess != kShininessOfLobe || mirror.lobe_exponent < kInfinity;
+    Material m;
+    m.color = mirror.color;
+    m.ambient = mirror.ambient, m.diffuse = mirror.diffuse, m.specular = shines ? mirror.specular : 0;
+    m.shininess = mirror.shininess != kShininessOfLobe ? mirror.shininess : shines ? mirror.lobe_exponent : 0;
+    out.front = derive_surface(m, ambient);
+    out.front.specular = rounded_colour(scaled(mirror.color, m.specular));
+    out.back = out.front;
+    out.back.specular = {0, 0, 0};
+    out.reflectance = rounded_colour(scaled(mirror.color, mirror.reflection));
+    out.reflects = settings.depth_limit > 0 && mirror.reflection > 0;
+}
+
+}  // namespace zerkalo

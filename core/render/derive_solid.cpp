@@ -1,0 +1,204 @@
+#include "core/render/derive.hpp"
+
+#include <limits>
+
+namespace zerkalo {
+namespace {
+
+constexpr float kUnbounded = std::numeric_limits<float>::infinity();
+
+bool is_tube(const Solid& solid) { return solid.kind == SolidKind::cylinder || solid.kind == SolidKind::cone; }
+
+double top_radius(const Solid& solid) {
+    if (solid.kind == SolidKind::pyramid) return 0;
+    return is_tube(solid) ? solid.radius * solid.taper : solid.radius;
+}
+
+Point mesh_corner(const Solid& solid, const Point& p) {
+    return rotated(p * solid.scale, solid.rotation) + solid.position;
+}
+
+/// Cosine and sine at half-step h of n sides: the angle pi h / n.
+SetupSineCosine corner_angle(std::int32_t half_steps, std::int32_t sides) {
+    return sine_cosine(kPi * half_steps / sides);
+}
+
+Point around(const Placement& at, SetupSineCosine angle, double radius, double y) {
+    return at.middle + at.axis_x * (radius * angle.cosine) + at.axis_z * (radius * angle.sine) + at.axis_y * y;
+}
+
+struct SlabWriter {
+    Slab* next;
+    std::int32_t count = 0;
+
+    void add(const Point& n, double lo, double hi) {
+        next[count] = Slab{rounded(n), float(lo), float(hi), float(count)};
+        ++count;
+    }
+};
+
+/// Even prisms pair their opposite sides into slabs; odd ones have single half-spaces.
+void write_prism(const Solid& solid, const Placement& at, SlabWriter& out) {
+    const double apothem = solid.radius * corner_angle(1, solid.sides).cosine;
+    const bool even = solid.sides % 2 == 0;
+    for (std::int32_t k = 0; k < (even ? solid.sides / 2 : solid.sides); ++k) {
+        const SetupSineCosine angle = corner_angle(2 * k + 1, solid.sides);
+        out.add(at.axis_x * angle.cosine + at.axis_z * angle.sine, even ? -apothem : -kUnbounded, apothem);
+    }
+    out.add(at.axis_y, -solid.height / 2, solid.height / 2);
+}
+
+void write_pyramid(const Solid& solid, const Placement& at, SlabWriter& out) {
+    const double apothem = solid.radius * corner_angle(1, solid.sides).cosine;
+    const double slant = length({apothem, solid.height, 0});
+    const double outward = solid.height / slant, upward = apothem / slant;
+    for (std::int32_t k = 0; k < solid.sides; ++k) {
+        const SetupSineCosine angle = corner_angle(2 * k + 1, solid.sides);
+        const Point n = at.axis_x * (outward * angle.cosine) + at.axis_z * (outward * angle.sine) + at.axis_y * upward;
+        out.add(n, -kUnbounded, outward * apothem / 2);
+    }
+    out.add(at.axis_y, -solid.height / 2, kUnbounded);
+}
+
+TubeData tube_of(const Solid& solid, const Placement& at) {
+    const double slope = (top_radius(solid) - solid.radius) / solid.height;
+    TubeData tube{};
+    tube.centre = rounded(at.middle);
+    // Around its own axis a tube looks the same from all sides: an upright one needs no rotation.
+    tube.upright = at.axis_y.x == 0 && at.axis_y.z == 0 && at.axis_y.y == 1;
+    tube.axis_x = rounded(at.axis_x), tube.axis_y = rounded(at.axis_y), tube.axis_z = rounded(at.axis_z);
+    tube.mid_radius = float((solid.radius + top_radius(solid)) / 2);
+    tube.slope = float(slope);
+    tube.half_height = float(solid.height / 2);
+    tube.normal_scale = float(1 / length({1, slope, 0}));
+    tube.tapered = tube.slope != 0;
+    return tube;
+}
+
+MeshData write_mesh(const Scene& scene, const Solid& solid, std::int32_t first, TriangleData* out) {
+    for (std::int32_t k = 0; k < solid.triangle_count; ++k) {
+        const Triangle& t = scene.triangles[solid.first_triangle + k];
+        const Point a = mesh_corner(solid, t.a), b = mesh_corner(solid, t.b), c = mesh_corner(solid, t.c);
+        out[first + k] = {rounded(a), rounded(b - a), rounded(c - a), rounded(unit(cross(b - a, c - a)))};
+    }
+    return {first, solid.triangle_count};
+}
+
+}  // namespace
+
+Placement placement_of(const Solid& solid) {
+    Placement at;
+    at.axis_x = rotated({1, 0, 0}, solid.rotation);
+    at.axis_y = rotated({0, 1, 0}, solid.rotation);
+    at.axis_z = rotated({0, 0, 1}, solid.rotation);
+    const bool has_base = solid.kind != SolidKind::sphere && solid.kind != SolidKind::mesh;
+    at.middle = has_base ? solid.position + at.axis_y * (solid.height / 2) : solid.position;
+    return at;
+}
+
+void hull_of(const Scene& scene, const Solid& solid, Hull& hull) {
+    hull.count = 0;
+    if (solid.kind == SolidKind::mesh) {
+        for (std::int32_t k = 0; k < solid.triangle_count; ++k) {
+            const Triangle& t = scene.triangles[solid.first_triangle + k];
+            for (const Point& p : {t.a, t.b, t.c}) hull.points[hull.count++] = mesh_corner(solid, p);
+        }
+        return;
+    }
+    const Placement at = placement_of(solid);
+    const double half = solid.kind == SolidKind::sphere ? solid.radius : solid.height / 2;
+    // Round outlines lie inside the octagon around them.
+    const bool is_round = solid.kind == SolidKind::sphere || is_tube(solid);
+    const std::int32_t corners = is_round ? 8 : solid.sides;
+    const double widen = is_round ? 1 / corner_angle(1, 8).cosine : 1;
+    for (std::int32_t k = 0; k < corners; ++k) {
+        const SetupSineCosine angle = corner_angle(2 * k, corners);
+        hull.points[hull.count++] = around(at, angle, solid.radius * widen, -half);
+        hull.points[hull.count++] = around(at, angle, top_radius(solid) * widen, half);
+    }
+}
+
+Ball ball_of(const Scene& scene, const Solid& solid) {
+    const Placement at = placement_of(solid);
+    if (solid.kind == SolidKind::sphere) return {solid.position, solid.radius};
+    if (solid.kind == SolidKind::mesh) {
+        Point low = mesh_corner(solid, scene.triangles[solid.first_triangle].a), high = low;
+        const auto each_corner = [&](auto visit) {
+            for (std::int32_t k = 0; k < solid.triangle_count; ++k) {
+                const Triangle& t = scene.triangles[solid.first_triangle + k];
+                for (const Point& p : {t.a, t.b, t.c}) visit(mesh_corner(solid, p));
+            }
+        };
+        each_corner([&](const Point& p) {
+            low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y, p.z < low.z ? p.z : low.z};
+            high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y, p.z > high.z ? p.z : high.z};
+        });
+        Ball ball{(low + high) * 0.5, 0};
+        each_corner([&](const Point& p) {
+            const double r = length(p - ball.centre);
+            if (r > ball.radius) ball.radius = r;
+        });
+        return ball;
+    }
+    // The smallest ball around two coaxial circles: its centre on the axis, as far from both rims as it can be.
+    const double r0 = solid.radius, r1 = top_radius(solid), h = solid.height;
+    double y = (h + (r1 - r0) * ((r1 + r0) / h)) / 2;
+    y = y < 0 ? 0 : y > h ? h : y;
+    const double to_base = length({r0, y, 0}), to_top = length({r1, h - y, 0});
+    return {at.middle + at.axis_y * (y - h / 2), to_base > to_top ? to_base : to_top};
+}
+
+void derive_solid(const Scene& scene, std::int32_t k, std::int32_t& slabs, std::int32_t& triangles, Plan& plan) {
+    const Solid& solid = scene.solids[k];
+    const Placement at = placement_of(solid);
+    SolidPlan& out = plan.solids[k];
+    out = SolidPlan{};
+    out.id = float(k);
+    if (solid.kind == SolidKind::sphere) {
+        out.shape = ShapeKind::sphere;
+        out.sphere = {rounded(solid.position), float(solid.radius * solid.radius), float(1 / solid.radius)};
+    } else if (is_tube(solid)) {
+        out.shape = ShapeKind::tube;
+        out.tube = tube_of(solid, at);
+    } else if (solid.kind == SolidKind::mesh) {
+        out.shape = ShapeKind::mesh;
+        out.mesh = write_mesh(scene, solid, triangles, plan.triangles);
+        triangles += solid.triangle_count;
+    } else {
+        out.shape = ShapeKind::half_spaces;
+        SlabWriter writer{plan.slabs + slabs};
+        if (solid.kind == SolidKind::prism) write_prism(solid, at, writer);
+        if (solid.kind == SolidKind::pyramid) write_pyramid(solid, at, writer);
+        out.half_spaces = {rounded(at.middle), slabs, writer.count};
+        slabs += writer.count;
+    }
+    const Material& m = solid.material;
+    out.surface = derive_surface(m, scene.ambient);
+    out.transport = {float(m.reflection), float(m.transmission), float(1 / m.refractive_index),
+                     float(m.refractive_index)};
+}
+
+double clearance(const Plan& plan, const SolidPlan& solid, const Vec3<double>& p) {
+    if (solid.shape == ShapeKind::sphere) {
+        return length(p - solid.sphere.centre) - square_root(double(solid.sphere.radius2));
+    }
+    if (solid.shape == ShapeKind::tube) {
+        const TubeData& tube = solid.tube;
+        const Point f = p - tube.centre;
+        const double y = dot(tube.axis_y, f);
+        const double across = length(cross(f, tube.axis_y));
+        const double caps = magnitude(y) - tube.half_height;
+        const double side = (across - (tube.mid_radius + double(tube.slope) * y)) * tube.normal_scale;
+        return caps > side ? caps : side;
+    }
+    double farthest = -kInfinity;
+    for (std::int32_t s = 0; s < solid.half_spaces.slab_count; ++s) {
+        const Slab& slab = plan.slabs[solid.half_spaces.first_slab + s];
+        const double along = dot(slab.n, p - solid.half_spaces.centre);
+        if (along - slab.hi > farthest) farthest = along - slab.hi;
+        if (slab.lo - along > farthest) farthest = slab.lo - along;
+    }
+    return farthest;
+}
+
+}  // namespace zerkalo

@@ -1,0 +1,100 @@
+#include "core/render/kernel.hpp"
+
+#include <initializer_list>
+
+namespace zerkalo {
+namespace {
+
+struct IsaRow {
+    const char* name;
+    int lanes;
+    const KernelTable* table;
+};
+
+#if defined(__x86_64__)
+constexpr IsaRow kRows[kIsaCount] = {{"scalar", 1, &kKernels_scalar}, {"sse2", 4, &kKernels_sse2},
+                                     {"sse4.2", 4, &kKernels_sse4_2}, {"avx2", 8, &kKernels_avx2},
+                                     {"avx512", 16, &kKernels_avx512}, {"neon", 4, nullptr}};
+#elif defined(__aarch64__)
+constexpr IsaRow kRows[kIsaCount] = {{"scalar", 1, &kKernels_scalar}, {"sse2", 4, nullptr}, {"sse4.2", 4, nullptr},
+                                     {"avx2", 8, nullptr}, {"avx512", 16, nullptr}, {"neon", 4, &kKernels_neon}};
+#else
+constexpr IsaRow kRows[kIsaCount] = {{"scalar", 1, &kKernels_scalar}, {"sse2", 4, nullptr}, {"sse4.2", 4, nullptr},
+                                     {"avx2", 8, nullptr}, {"avx512", 16, nullptr}, {"neon", 4, nullptr}};
+#endif
+
+const IsaRow& row_of(Isa isa) { return kRows[static_cast<int>(isa)]; }
+
+constexpr std::uint32_t kNeedsGeneral =
+    kFeatureChain | kFeatureBranch | kFeatureCurved | kFeatureMesh | kFeatureFar | kFeatureInside;
+
+struct FeatureName {
+    std::uint32_t bit;
+    const char* name;
+};
+constexpr FeatureName kFeatureNames[] = {
+    {kFeatureSphere, "sphere"},      {kFeatureHalfSpaces, "half_spaces"}, {kFeatureTube, "tube"},
+    {kFeatureMesh, "mesh"},          {kFeatureMirror, "mirror"},          {kFeatureGlossy, "glossy"},
+    {kFeatureMaxPhong, "max_phong"}, {kFeatureCurved, "curved_mirror"},   {kFeatureChain, "chain"},
+    {kFeatureBranch, "branch"},      {kFeatureShadow, "shadow"},          {kFeatureFalloff, "inverse_square"},
+    {kFeatureFar, "far"},            {kFeatureInside, "inside"},          {kFeatureAntialias, "antialias"},
+};
+
+std::int32_t tiles_across(const Plan& plan) { return (plan.width + kTileSide - 1) / kTileSide; }
+std::int32_t tiles_down(const Plan& plan) { return (plan.height + kTileSide - 1) / kTileSide; }
+
+}  // namespace
+
+const char* name_of(Isa isa) { return row_of(isa).name; }
+
+int lanes_of(Isa isa) { return row_of(isa).lanes; }
+
+bool available(Isa isa) {
+    if (row_of(isa).table == nullptr) return false;
+#if defined(__x86_64__)
+    // The compiler's own check also asks whether the system saves the wide registers.
+    __builtin_cpu_init();
+    switch (isa) {
+        case Isa::sse4_2: return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt");
+        case Isa::avx2: return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("popcnt");
+        case Isa::avx512:
+            return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
+                   __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+                   __builtin_cpu_supports("avx512vl");
+        default: break;
+    }
+#endif
+    return true;
+}
+
+Isa best_isa() {
+    for (const Isa isa : {Isa::avx512, Isa::avx2, Isa::sse4_2, Isa::sse2, Isa::neon}) {
+        if (available(isa)) return isa;
+    }
+    return Isa::scalar;
+}
+
+TileFunction kernel_for(const Plan& plan, Isa isa) {
+    const KernelTable& table = *row_of(isa).table;
+    if (plan.features & kNeedsGeneral) return table.kernels[kKernelGeneral];
+    return table.kernels[plan.features & kFeatureGlossy ? kKernelGlossy : kKernelSharp];
+}
+
+int tile_count(const Plan& plan) { return tiles_across(plan) * tiles_down(plan); }
+
+Rect tile_at(const Plan& plan, int index) {
+    const std::int32_t left = index % tiles_across(plan) * kTileSide;
+    const std::int32_t top = index / tiles_across(plan) * kTileSide;
+    const std::int32_t width = plan.width - left, height = plan.height - top;
+    return {left, top, width < kTileSide ? width : kTileSide, height < kTileSide ? height : kTileSide};
+}
+
+int feature_names(const Plan& plan, const char** names, int capacity) {
+    int count = 0;
+    for (const FeatureName& feature : kFeatureNames) {
+        if ((plan.features & feature.bit) && count < capacity) names[count++] = feature.name;
+    }
+    return count;
+}
+
+}  // namespace zerkalo

@@ -1,0 +1,15 @@
+// Compiled once for each instruction set: ZERKALO_ISA names its namespace, ZERKALO_TABLE its table, ZERKALO_WIDTH its lanes.
+#include "core/render/kernel.hpp"
+
+#include "core/render/general.hpp"
+#include "core/render/one_bounce.hpp"
+
+namespace zerkalo {
+
+using R = Real<ZERKALO_WIDTH>;
+
+extern const KernelTable ZERKALO_TABLE;
+const KernelTable ZERKALO_TABLE = {
+    {&render_tile_one_bounce<R, false>, &render_tile_one_bounce<R, true>, &render_tile_general<R>}};
+
+}  // namespace zerkalo

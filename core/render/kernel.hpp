@@ -1,0 +1,17 @@
+// The kernels of one instruction set, smallest first. Each covers what the ones before it cover, and more.
+#pragma once
+
+#include "core/render/render.hpp"
+
+namespace zerkalo {
+
+enum KernelKind : int { kKernelSharp, kKernelGlossy, kKernelGeneral, kKernelKinds };
+
+struct KernelTable {
+    TileFunction kernels[kKernelKinds];
+};
+
+// One for each translation unit of kernel.cpp; those that this program was built without do not exist.
+extern const KernelTable kKernels_scalar, kKernels_sse2, kKernels_sse4_2, kKernels_avx2, kKernels_avx512, kKernels_neon;
+
+}  // namespace zerkalo

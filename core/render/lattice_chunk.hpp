@@ -1,0 +1,31 @@
+// A run of lattice points of one lobe, computed once for all the packets that share it.
+#pragma once
+
+#include "core/optics/lattice.hpp"
+#include "core/render/packet.hpp"
+
+namespace zerkalo::inline ZERKALO_ISA {
+
+constexpr int kChunk = 64;    // lattice points held at a time: one bit each in a mask
+constexpr int kPadding = 16;  // of the widest lane
+
+/// Points first, first + 1, ... first + count - 1, and the rest of the last packet.
+struct LatticeChunk {
+    alignas(64) float side[kChunk + kPadding], up[kChunk + kPadding], forward[kChunk + kPadding];
+    std::int32_t count;
+};
+
+template <class R>
+ZERKALO_INLINE void fill_chunk(LatticeChunk& chunk, const LobeData& lobe, std::int32_t first, std::int32_t samples) {
+    chunk.count = samples - first < kChunk ? samples - first : kChunk;
+    const Bits<R> lane = load_bits<R>(kLaneNumbers.bits);
+    for (std::int32_t i = 0; i < chunk.count; i += kWidth<R>) {
+        const Bits<R> index = lane + Bits<R>(static_cast<std::uint32_t>(first + i));
+        const LobePoint<R> point = lattice_point<R>(index, samples, R(lobe.inverse_exponent));
+        store(chunk.side + i, point.side);
+        store(chunk.up + i, point.up);
+        store(chunk.forward + i, point.forward);
+    }
+}
+
+}  // namespace zerkalo::inline ZERKALO_ISA

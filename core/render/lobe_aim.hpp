@@ -1,0 +1,180 @@
+// A packet of mirror points and the solids that its lobe rays can meet: which rays, which lanes, and every term of the
+// intersections that the origin alone determines.
+//
+// The packet's lanes lie side by side and share the lattice, so one ball in the lobe's frame holds a solid as all lanes
+// see it. A lattice ray that passes this ball passes the solid in every lane; rays are tested against it in lanes.
+#pragma once
+
+#include "core/render/lattice_chunk.hpp"
+#include "core/render/visibility.hpp"
+
+namespace zerkalo::inline ZERKALO_ISA {
+
+constexpr int kHoistedTerms = 96;  // lanes of origin terms that are kept; a solid without room computes its own
+
+template <class R>
+struct LobeCandidate {
+    std::uint64_t reach;  // bit s: ray s of the chunk may meet the solid in some lane
+    Mask<R> allowed;      // lanes whose whole lobe may meet it
+    std::int32_t k;
+    const R* terms;       // its origin terms, or null
+};
+
+template <class R>
+struct LobeAim {
+    LobeCandidate<R> candidates[kMaxSolids];
+    std::int32_t count;
+    std::uint64_t reach;  // of any of them
+    R terms[kHoistedTerms];
+};
+
+/// The lobe's frame at each mirror point, turned by its class, and its rows against the mirror's normal.
+template <class R>
+struct LobeFrame {
+    Vec3<R> m, t, b;
+    R m_n, t_n, b_n;
+};
+
+template <class R>
+ZERKALO_INLINE LobeFrame<R> lobe_frame(Vec3<R> m, float turn, Vec3<R> n) {
+    const Tangents<R> base = tangents_of(m);
+    const SineCosine<float> phase = sincos_turn(turn);
+    const Vec3<R> t = base.t * phase.cosine + base.b * phase.sine;
+    const Vec3<R> b = base.b * phase.cosine - base.t * phase.sine;
+    return {m, t, b, dot(m, n), dot(t, n), dot(b, n)};
+}
+
+/// Can the cone of directions about m (half-angle of the lobe) meet the solid's bounding sphere?
+/// The sphere's signed distance to the cone's side is  across cos - along sin;  compared squared, without a root.
+template <class R>
+ZERKALO_INLINE Mask<R> lobe_may_meet(const SolidPlan& solid, const LobeData& lobe, Vec3<R> p, Vec3<R> m) {
+    const Vec3<R> f = solid.bound_centre - p;
+    const R along = dot(f, m);
+    const Vec3<R> across = f - m * along;
+    const R reach = R(solid.bound_radius) + along * R(lobe.sine);
+    return (reach >= R(0)) & (dot(across, across) * R(lobe.cosine * lobe.cosine) <= reach * reach);
+}
+
+/// Which rays of the chunk come near the solid in any lane. Conservative.
+template <class R>
+ZERKALO_INLINE std::uint64_t reach_of_chunk(const SolidPlan& solid, const LatticeChunk& chunk,
+                                            const LobeFrame<R>& frame, Vec3<R> p) {
+    // The bounding ball's centre in each lane's frame; the first lane's, widened by how far the others stray from it.
+    const Vec3<R> f = solid.bound_centre - p;
+    const Vec3<R> in_frame{dot(f, frame.t), dot(f, frame.b), dot(f, frame.m)};
+    const Vec3<float> c{first_lane(in_frame.x), first_lane(in_frame.y), first_lane(in_frame.z)};
+    const Vec3<R> stray = in_frame - c;
+    const float radius = solid.bound_radius + sqrt(largest_lane(dot(stray, stray)));
+    // A ray w passes the ball if c.w <= 0 or (c.w)^2 < |c|^2 - radius^2, with room for rounding.
+    constexpr float kRoom = 0x1p-16f;
+    const float beyond = dot(c, c) * (1 - kRoom) - radius * radius * (1 + kRoom);
+    if (!(beyond > 0)) return ~std::uint64_t{0};
+    std::uint64_t reach = 0;
+    for (std::int32_t s = 0; s < chunk.count; s += kWidth<R>) {
+        const R along = load<R>(chunk.side + s) * R(c.x) + load<R>(chunk.up + s) * R(c.y) +
+                        load<R>(chunk.forward + s) * R(c.z);
+        const auto near = (along > R(0)) & (along * along >= R(beyond));
+        reach |= static_cast<std::uint64_t>(bits_of(near)) << s;
+    }
+    return reach;
+}
+
+template <class R>
+ZERKALO_INLINE int hoisted_terms(const SolidPlan& solid) {
+    if (solid.shape == ShapeKind::sphere) return 4;
+    if (solid.shape == ShapeKind::tube) return 3;
+    return 2 * solid.half_spaces.slab_count;
+}
+
+template <class R>
+ZERKALO_INLINE void hoist(R* terms, const Plan& plan, const SolidPlan& solid, Vec3<R> p) {
+    if (solid.shape == ShapeKind::sphere) {
+        const auto from = sphere_seen_from<FloatNumbers<R>>(solid.sphere, p);
+        terms[0] = from.f.x, terms[1] = from.f.y, terms[2] = from.f.z, terms[3] = from.c;
+    } else if (solid.shape == ShapeKind::tube) {
+        const auto from = tube_seen_from<FloatNumbers<R>>(solid.tube, p);
+        terms[0] = from.x, terms[1] = from.y, terms[2] = from.z;
+    } else {
+        const Vec3<R> o = p - solid.half_spaces.centre;
+        for (std::int32_t s = 0; s < solid.half_spaces.slab_count; ++s) {
+            const auto from = slab_seen_from<FloatNumbers<R>>(plan.slabs[solid.half_spaces.first_slab + s], o);
+            terms[2 * s] = from.lo, terms[2 * s + 1] = from.hi;
+        }
+    }
+}
+
+/// Chooses the candidates of a packet for one chunk of the lattice and hoists their terms.
+template <class R>
+ZERKALO_INLINE void aim_lobe(LobeAim<R>& aim, const Plan& plan, const LobeData& lobe, const LatticeChunk& chunk,
+                             const LobeFrame<R>& frame, Vec3<R> p, Mask<R> active) {
+    aim.count = 0;
+    aim.reach = 0;
+    int used = 0;
+    for (std::int32_t k = 0; k < plan.solid_count; ++k) {
+        const SolidPlan& solid = plan.solids[k];
+        Mask<R> allowed = active;
+        std::uint64_t reach = ~std::uint64_t{0};
+        if (!plan.exact_plan) {
+            allowed = active & lobe_may_meet(solid, lobe, p, frame.m);
+            if (none(allowed)) continue;
+            reach = reach_of_chunk(solid, chunk, frame, p);
+        }
+        if (reach == 0) continue;
+        aim.reach |= reach;
+        LobeCandidate<R>& candidate = aim.candidates[aim.count++];
+        candidate.reach = reach;
+        candidate.allowed = allowed;
+        candidate.k = k;
+        candidate.terms = nullptr;
+        const int count = hoisted_terms<R>(solid);
+        if (used + count > kHoistedTerms) continue;
+        hoist(aim.terms + used, plan, solid, p);
+        candidate.terms = aim.terms + used;
+        used += count;
+    }
+}
+
+/// As with_span(), from hoisted terms.
+template <class R, class Use>
+ZERKALO_INLINE void with_hoisted_span(const Plan& plan, const SolidPlan& solid, const R* terms, Vec3<R> d, Use use) {
+    using N = FloatNumbers<R>;
+    if (solid.shape == ShapeKind::sphere) {
+        use(sphere_span<N>(solid.sphere, SphereOrigin<N>{{terms[0], terms[1], terms[2]}, terms[3]}, d));
+    } else if (solid.shape == ShapeKind::half_spaces) {
+        Span<N> span = whole_span<N>();
+        const Slab* slabs = plan.slabs + solid.half_spaces.first_slab;
+        for (std::int32_t s = 0; s < solid.half_spaces.slab_count; ++s) {
+            clip<Faces::entry>(span, slabs[s], SlabOrigin<N>{terms[2 * s], terms[2 * s + 1]}, d);
+            if (none(span.entry <= span.exit)) break;
+        }
+        use(span);
+    } else if (solid.tube.tapered) {
+        use(tube_span<true, Faces::entry, N>(solid.tube, Vec3<R>{terms[0], terms[1], terms[2]}, d));
+    } else {
+        use(tube_span<false, Faces::entry, N>(solid.tube, Vec3<R>{terms[0], terms[1], terms[2]}, d));
+    }
+}
+
+/// The nearest solid of each lane along ray s of the chunk, d; adds to `asked` the solids that were asked.
+template <class R>
+ZERKALO_INLINE Nearest<R> nearest_in_lobe(const Plan& plan, const LobeAim<R>& aim, std::int32_t s, Vec3<R> p, Vec3<R> d,
+                                          CandidateMask& asked) {
+    Nearest<R> best = nothing_yet<R>();
+    for (std::int32_t c = 0; c < aim.count; ++c) {
+        const LobeCandidate<R>& candidate = aim.candidates[c];
+        if (!(candidate.reach >> s & 1)) continue;
+        const SolidPlan& solid = plan.solids[candidate.k];
+        asked |= CandidateMask{1} << candidate.k;
+        const auto use = [&](const Span<FloatNumbers<R>>& span) ZERKALO_INLINE_LAMBDA {
+            keep_nearer(best, span, solid, (span.entry <= span.exit) & candidate.allowed);
+        };
+        if (candidate.terms != nullptr) {
+            with_hoisted_span(plan, solid, candidate.terms, d, use);
+        } else {
+            with_span<Faces::entry>(plan, candidate.k, PointOrigin<R>{p}, d, use);
+        }
+    }
+    return best;
+}
+
+}  // namespace zerkalo::inline ZERKALO_ISA

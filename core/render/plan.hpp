@@ -1,0 +1,116 @@
+// What the kernels read: every constant of one frame, derived by prepare(). Trivially copyable, fixed capacity.
+#pragma once
+
+#include "core/image/image_view.hpp"
+#include "core/optics/optics_data.hpp"
+#include "core/render/settings.hpp"
+#include "core/scene/scene.hpp"
+#include "core/shapes/mirror_data.hpp"
+#include "core/shapes/shape_data.hpp"
+
+namespace zerkalo {
+
+constexpr int kTileSide = 8;
+constexpr int kTilePixels = kTileSide * kTileSide;
+constexpr int kMaxSlabs = kMaxSolids * (kMaxSides + 1);
+constexpr int kMaxOrigins = kMaxLights + 1;  // origins that all rays of a kind share: the camera and the lights
+constexpr int kCameraOrigin = kMaxLights;
+
+/// What a frame uses. A kernel that lacks a feature contains no code for it.
+enum Feature : std::uint32_t {
+    kFeatureMirror = 1u << 0,      // a front that reflects
+    kFeatureGlossy = 1u << 1,      // an unpolished one
+    kFeatureChain = 1u << 2,       // more than one bounce: several or hollow mirrors, reflecting or transparent solids
+    kFeatureBranch = 1u << 3,      // a surface that both reflects and refracts
+    kFeatureCurved = 1u << 4,      // a spherical mirror
+    kFeatureMesh = 1u << 5,
+    kFeatureFar = 1u << 6,         // a camera or a light too far away for its position to be a float origin
+    kFeatureInside = 1u << 7,      // the camera is inside a solid or nearly so
+    kFeatureSphere = 1u << 8,
+    kFeatureHalfSpaces = 1u << 9,
+    kFeatureTube = 1u << 10,
+    kFeatureFalloff = 1u << 11,
+    kFeatureShadow = 1u << 12,     // lights and something to cast a shadow
+    kFeatureMaxPhong = 1u << 13,
+    kFeatureAntialias = 1u << 14,
+};
+
+/// How the rays of one kind meet a solid: the closed list of kernels behind the six kinds of a scene.
+enum class ShapeKind : std::uint8_t { sphere, half_spaces, tube, mesh };
+
+struct SolidPlan {
+    ShapeKind shape;
+    float id;  // its index in the scene, as lanes hold it
+    SphereData sphere;
+    HalfSpacesData half_spaces;
+    TubeData tube;
+    MeshData mesh;
+    Vec3<float> bound_centre;
+    float bound_radius;  // contains the solid, with room for rounding
+    SurfaceData surface;
+    TransportData transport;
+};
+
+struct MirrorPlan {
+    MirrorShape shape;
+    SurfaceData front, back;
+    Rgb<float> reflectance;  // F K_r
+    LobeData lobe;
+    std::uint8_t curved;
+    std::uint8_t reflects;
+};
+
+/// Camera ray of pixel (i, j): direction view + step_x (2 i + 1 - W) + step_y (H - 2 j - 1), before normalising.
+/// A far camera's rays start on the plane through the scene's centre: origin + origin_step * (...), t > -pull |direction|.
+struct CameraPlan {
+    Vec3<float> origin, view, step_x, step_y;
+    Vec3<float> origin_step_x, origin_step_y;
+    float pull;
+};
+
+/// Origin terms that all rays from one shared origin have in common (shapes/*.hpp: ..._seen_from).
+struct SharedSlab {
+    float lo, hi;
+};
+struct SharedSolid {
+    Vec3<float> from;
+    float c;
+};
+
+/// Pixels that a projection can touch: left <= x < right, top <= y < bottom.
+struct PixelBounds {
+    std::int32_t left, top, right, bottom;
+};
+
+/// What can stand between each light and one surface.
+struct Blockers {
+    std::uint64_t of_light[kMaxLights];
+};
+
+struct Plan {
+    std::int32_t width, height;
+    std::int32_t samples, antialias, depth_limit;
+    std::uint32_t features;
+    std::uint8_t exact_plan;
+    std::int32_t solid_count, mirror_count, light_count;
+    Rgb<float> background;
+    CameraPlan camera;
+    SolidPlan solids[kMaxSolids];
+    MirrorPlan mirrors[kMaxMirrors];
+    LightData lights[kMaxLights];
+    Slab slabs[kMaxSlabs];
+    SharedSlab shared_slabs[kMaxOrigins][kMaxSlabs];
+    SharedSolid shared_solids[kMaxOrigins][kMaxSolids];
+    Vec3<float> shared_mirrors[kMaxOrigins][kMaxMirrors];
+    TriangleData triangles[kMaxTriangles];
+
+    // Culling. Bit k of a mask is solid k, bit kMaxSolids + k is mirror k.
+    Blockers blockers_of_solid[kMaxSolids];
+    Blockers blockers_of_mirror[kMaxMirrors];
+    PixelBounds solid_bounds[kMaxSolids];
+    PixelBounds mirror_bounds[kMaxMirrors];
+    PixelBounds image_bounds[kMaxSolids];               // of the solids' images behind the only, plane mirror
+    PixelBounds shadow_bounds[kMaxLights][kMaxSolids];  // of the solids' shadows on it
+};
+
+}  // namespace zerkalo

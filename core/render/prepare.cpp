@@ -1,0 +1,225 @@
+#include "core/render/cull.hpp"
+#include "core/render/meet.hpp"
+#include "core/render/render.hpp"
+#include "core/scene/validate.hpp"
+
+namespace zerkalo {
+namespace {
+
+// A camera or light farther than this many scene radii would waste the digits of a float origin.
+constexpr double kFarRadii = 64;
+// A camera or light nearer to a solid than this share of its size counts as inside.
+constexpr double kNearShare = 1e-3;
+
+Status check(const Settings& settings, const ImageSize& size) {
+    const auto complain = [](const char* field, const char* reason) {
+        return Status{field, reason, Part::settings, 0};
+    };
+    if (size.width < 1 || size.width > kMaxImageSide) return complain("width", "must lie in 1..65536");
+    if (size.height < 1 || size.height > kMaxImageSide) return complain("height", "must lie in 1..65536");
+    if (std::int64_t{size.width} * size.height > kMaxPixels) {
+        return complain("height", "times width must be at most 2^28 pixels");
+    }
+    if (settings.samples < 1 || settings.samples > kMaxSamples) return complain("samples", "must lie in 1..1048576");
+    if (settings.antialias < 1 || settings.antialias > kMaxAntialias) {
+        return complain("antialias", "must lie in 1..4096");
+    }
+    if (settings.depth_limit < 0 || settings.depth_limit > kMaxDepth) {
+        return complain("depth_limit", "must lie in 0..255");
+    }
+    return kOk;
+}
+
+/// Seed formulas 2.5-2.8 with the full angle; the angle that is not given follows from the picture's size.
+Viewpoint viewpoint_of(const Camera& camera, const ImageSize& size) {
+    Viewpoint eye;
+    eye.position = camera.position;
+    eye.view = unit(camera.view);
+    eye.right = unit(cross(eye.view, usable_up(eye.view, camera.up)));
+    eye.up = cross(eye.right, eye.view);
+    eye.width = size.width, eye.height = size.height;
+    const SetupSineCosine half = sine_cosine(camera.fov / 2);
+    const double given = half.sine / half.cosine;
+    const bool horizontal = camera.fov_axis == FovAxis::horizontal;
+    eye.tan_half_width = horizontal ? given : given * size.width / size.height;
+    eye.tan_half_height = horizontal ? given * size.height / size.width : given;
+    return eye;
+}
+
+Ball ball_around(const Ball* balls, std::int32_t count) {
+    if (count == 0) return {{0, 0, 0}, 0};
+    Ball all = balls[0];
+    for (std::int32_t k = 1; k < count; ++k) {
+        const Point way = balls[k].centre - all.centre;
+        const double distance = length(way);
+        if (distance + balls[k].radius <= all.radius) continue;
+        if (distance + all.radius <= balls[k].radius) {
+            all = balls[k];
+            continue;
+        }
+        const double radius = (distance + all.radius + balls[k].radius) / 2;
+        all.centre = all.centre + way * ((radius - all.radius) / distance);
+        all.radius = radius;
+    }
+    return all;
+}
+
+void derive_surroundings(const Scene& scene, Surroundings& around) {
+    Ball balls[kMaxSolids + kMaxMirrors];
+    std::int32_t count = 0;
+    for (std::int32_t k = 0; k < scene.solid_count; ++k) {
+        around.solids[k] = ball_of(scene, scene.solids[k]);
+        balls[count++] = around.solids[k];
+    }
+    for (std::int32_t m = 0; m < scene.mirror_count; ++m) {
+        around.mirrors[m] = ball_of(scene.mirrors[m]);
+        balls[count++] = around.mirrors[m];
+    }
+    around.all = ball_around(balls, count);
+}
+
+bool is_far(const Point& p, const Surroundings& around) {
+    return around.all.radius > 0 && length(p - around.all.centre) > kFarRadii * around.all.radius;
+}
+
+bool near_or_inside(const Plan& plan, const Scene& scene, const Point& p) {
+    for (std::int32_t k = 0; k < scene.solid_count; ++k) {
+        const SolidPlan& solid = plan.solids[k];
+        if (solid.shape == ShapeKind::mesh) continue;
+        if (clearance(plan, solid, p) <= kNearShare * solid.bound_radius) return true;
+    }
+    return false;
+}
+
+/// Seed formulas 2.9, 2.10. A far camera's rays start on the plane through the scene's centre: see CameraPlan.
+void derive_camera(const Viewpoint& eye, const Surroundings& around, Plan& plan) {
+    const Point step_x = eye.right * (eye.tan_half_width / eye.width);
+    const Point step_y = eye.up * (eye.tan_half_height / eye.height);
+    double pull = 0;
+    if (is_far(eye.position, around)) {
+        pull = dot(around.all.centre - eye.position, eye.view);
+        pull = pull > 0 ? pull : 0;
+        plan.features |= kFeatureFar;
+    }
+    CameraPlan& camera = plan.camera;
+    camera.view = rounded(eye.view), camera.step_x = rounded(step_x), camera.step_y = rounded(step_y);
+    camera.origin = rounded(eye.position + eye.view * pull);
+    camera.origin_step_x = rounded(step_x * pull), camera.origin_step_y = rounded(step_y * pull);
+    camera.pull = float(pull);
+}
+
+/// What all rays from one origin have in common, in the kernels' own arithmetic.
+void derive_shared(Plan& plan, int index, Vec3<float> origin) {
+    using N = FloatNumbers<float>;
+    for (std::int32_t k = 0; k < plan.solid_count; ++k) {
+        const SolidPlan& solid = plan.solids[k];
+        SharedSolid& shared = plan.shared_solids[index][k];
+        shared = {origin, 0};
+        if (solid.shape == ShapeKind::sphere) {
+            const auto from = sphere_seen_from<N>(solid.sphere, origin);
+            shared = {from.f, from.c};
+        } else if (solid.shape == ShapeKind::tube) {
+            shared.from = tube_seen_from<N>(solid.tube, origin);
+        } else if (solid.shape == ShapeKind::half_spaces) {
+            const HalfSpacesData& body = solid.half_spaces;
+            const Vec3<float> o = origin - body.centre;
+            for (std::int32_t s = body.first_slab; s < body.first_slab + body.slab_count; ++s) {
+                const auto from = slab_seen_from<N>(plan.slabs[s], o);
+                plan.shared_slabs[index][s] = {from.lo, from.hi};
+            }
+        }
+    }
+    for (std::int32_t m = 0; m < plan.mirror_count; ++m) {
+        plan.shared_mirrors[index][m] = mirror_seen_from<N>(plan.mirrors[m].shape, origin);
+    }
+}
+
+void derive_objects(const Scene& scene, const Settings& settings, const Surroundings& around, Plan& plan) {
+    std::int32_t slabs = 0, triangles = 0;
+    for (std::int32_t k = 0; k < scene.solid_count; ++k) {
+        derive_solid(scene, k, slabs, triangles, plan);
+        SolidPlan& solid = plan.solids[k];
+        solid.bound_centre = rounded(around.solids[k].centre);
+        // Room for the rounding of coordinates as large as the scene.
+        const double size = around.all.radius + length(around.all.centre);
+        solid.bound_radius = float(around.solids[k].radius * (1 + 0x1p-16) + 0x1p-18 * size);
+    }
+    for (std::int32_t m = 0; m < scene.mirror_count; ++m) {
+        derive_mirror(scene.mirrors[m], scene.ambient, settings, plan.mirrors[m]);
+    }
+    for (std::int32_t j = 0; j < scene.light_count; ++j) {
+        plan.lights[j] = derive_light(scene.lights[j]);
+        plan.lights[j].distant = is_far(scene.lights[j].position, around);
+    }
+}
+
+std::uint32_t features_of_solids(const Plan& plan) {
+    std::uint32_t features = 0;
+    for (std::int32_t k = 0; k < plan.solid_count; ++k) {
+        const SolidPlan& solid = plan.solids[k];
+        const ShapeKind shape = solid.shape;
+        features |= shape == ShapeKind::sphere        ? kFeatureSphere
+                    : shape == ShapeKind::half_spaces ? kFeatureHalfSpaces
+                    : shape == ShapeKind::tube        ? kFeatureTube
+                                                      : kFeatureMesh;
+        const TransportData& transport = solid.transport;
+        if (transport.reflection > 0 || transport.transmission > 0) features |= kFeatureChain;
+        if (transport.reflection > 0 && transport.transmission > 0) features |= kFeatureBranch;
+    }
+    return features;
+}
+
+void derive_features(const Scene& scene, Plan& plan) {
+    plan.features |= features_of_solids(plan);
+    if (plan.mirror_count > 1) plan.features |= kFeatureChain;
+    for (std::int32_t m = 0; m < plan.mirror_count; ++m) {
+        const MirrorPlan& mirror = plan.mirrors[m];
+        if (mirror.curved) plan.features |= kFeatureCurved | kFeatureChain;
+        if (!mirror.reflects) continue;
+        plan.features |= kFeatureMirror;
+        if (mirror.lobe.glossy) plan.features |= kFeatureGlossy;
+        if (mirror.lobe.glossy && mirror.lobe.max_phong) plan.features |= kFeatureMaxPhong;
+    }
+    if (near_or_inside(plan, scene, scene.camera.position)) plan.features |= kFeatureInside;
+    for (std::int32_t j = 0; j < plan.light_count; ++j) {
+        if (plan.lights[j].inverse_square) plan.features |= kFeatureFalloff;
+        if (plan.lights[j].distant) plan.features |= kFeatureFar;
+        if (near_or_inside(plan, scene, scene.lights[j].position)) plan.features |= kFeatureInside;
+    }
+    if (plan.light_count > 0 && plan.solid_count + plan.mirror_count > 1) plan.features |= kFeatureShadow;
+    if (plan.antialias > 1) plan.features |= kFeatureAntialias;
+}
+
+}  // namespace
+
+Status prepare(const Scene& scene, const Settings& settings, Plan& plan) {
+    if (const Status status = validate(scene); !status.ok()) return status;
+    const ImageSize size{settings.width > 0 ? settings.width : scene.image.width,
+                         settings.height > 0 ? settings.height : scene.image.height};
+    if (const Status status = check(settings, size); !status.ok()) return status;
+
+    plan.width = size.width, plan.height = size.height;
+    plan.samples = settings.samples, plan.antialias = settings.antialias, plan.depth_limit = settings.depth_limit;
+    plan.features = 0;
+    plan.exact_plan = settings.exact_plan;
+    plan.solid_count = scene.solid_count, plan.mirror_count = scene.mirror_count, plan.light_count = scene.light_count;
+    plan.background = derive_surface(Material{.color = scene.background, .diffuse = 1}, {0, 0, 0}).diffuse;
+
+    Surroundings around;
+    derive_surroundings(scene, around);
+    derive_objects(scene, settings, around, plan);
+    const Viewpoint eye = viewpoint_of(scene.camera, size);
+    derive_camera(eye, around, plan);
+    derive_bounds(scene, eye, plan);
+    derive_blockers(scene, around, plan);
+    derive_features(scene, plan);
+    if ((plan.features & kFeatureBranch) && plan.depth_limit > kMaxBranchDepth) {
+        return Status{"depth_limit", "must be at most 16 in a scene with a surface that both reflects and transmits",
+                      Part::settings, 0};
+    }
+    derive_shared(plan, kCameraOrigin, plan.camera.origin);
+    for (std::int32_t j = 0; j < plan.light_count; ++j) derive_shared(plan, j, plan.lights[j].position);
+    return kOk;
+}
+
+}  // namespace zerkalo

@@ -1,0 +1,54 @@
+// The one public header of the renderer: prepare a plan once, then render its tiles in any order, on any thread.
+//
+//     Plan plan;                                        // caller's memory, about 100 KB
+//     Status status = prepare(scene, settings, plan);   // checks, constants, chosen features
+//     const Kernel kernel = kernel_for(plan, best_isa());
+//     for (each tile of tiles_of(plan)) kernel.render(plan, tile, image, counts);
+#pragma once
+
+#include "core/image/image_view.hpp"
+#include "core/render/plan.hpp"
+#include "core/scene/scene.hpp"
+#include "core/status.hpp"
+
+namespace zerkalo {
+
+/// The instruction sets a kernel can be built for; which exist in this program and on this CPU: see available().
+enum class Isa : std::uint8_t { scalar, sse2, sse4_2, avx2, avx512, neon };
+constexpr int kIsaCount = 6;
+
+/// "scalar", "sse2", "sse4.2", "avx2", "avx512", "neon".
+const char* name_of(Isa isa);
+
+/// Pixels a packet: 1, 4, 8 or 16.
+int lanes_of(Isa isa);
+
+/// True when this program has the kernel and this CPU can run it.
+bool available(Isa isa);
+
+/// The widest available one.
+Isa best_isa();
+
+/// Rays by kind, exact counts, the same for every ISA, thread count and tile order.
+struct RayCounts {
+    std::uint64_t primary = 0, reflected = 0, lobe = 0, refracted = 0, shadow = 0;
+};
+
+/// Renders one tile of the plan's picture into `image` (whole picture, plan.width x plan.height); adds to `counts`.
+/// Touches no pixel outside the tile. A pure function of the plan: same bytes for any order, thread or ISA.
+using TileFunction = void (*)(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts);
+
+/// Checks scene and settings and derives every constant of the frame. On error `plan` is left unspecified.
+Status prepare(const Scene& scene, const Settings& settings, Plan& plan);
+
+/// The smallest kernel that covers what the plan needs. Precondition: available(isa).
+TileFunction kernel_for(const Plan& plan, Isa isa);
+
+/// Tiles of the picture, row-major; the last column and row may be smaller.
+int tile_count(const Plan& plan);
+Rect tile_at(const Plan& plan, int index);
+
+/// The features that the plan uses, as names; returns how many were written (at most `capacity`).
+int feature_names(const Plan& plan, const char** names, int capacity);
+
+}  // namespace zerkalo

@@ -1,0 +1,23 @@
+// How to render, as opposed to what: the knobs of `zerkalo render`.
+#pragma once
+
+#include <cstdint>
+
+namespace zerkalo {
+
+constexpr std::int32_t kMaxImageSide = 65536;
+constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;
+constexpr std::int32_t kMaxSamples = 1 << 20;
+constexpr std::int32_t kMaxAntialias = 4096;
+constexpr std::int32_t kMaxDepth = 255;
+constexpr std::int32_t kMaxBranchDepth = 16;  // where a surface both reflects and transmits: the rays double each time
+
+struct Settings {
+    std::int32_t width = 0, height = 0;  // 0: the scene's
+    std::int32_t samples = 16;           // lobe rays at the first glossy hit of a camera path, 1..kMaxSamples
+    std::int32_t antialias = 1;          // camera rays a pixel, box filter; 1 is the pixel's centre
+    std::int32_t depth_limit = 6;        // a ray deeper than this is not traced and adds nothing, 0..kMaxDepth
+    bool exact_plan = false;             // no culling at all: every solid is asked by every ray
+};
+
+}  // namespace zerkalo

@@ -1,0 +1,61 @@
+// Local light for packets: Whitted's sum (optics/whitted.hpp) over the plan's lights, with shadows.
+#pragma once
+
+#include "core/render/visibility.hpp"
+
+namespace zerkalo::inline ZERKALO_ISA {
+
+/// Lanes counted by kind, added to RayCounts when a tile is done.
+struct TileCounts {
+    std::uint32_t reflected = 0, lobe = 0, refracted = 0, shadow = 0;
+};
+
+/// Where a packet is lit: points, normals towards the viewer, the rays that came, who stands there.
+template <class R>
+struct Spot {
+    Vec3<R> p, n, d;
+    R own_id;
+    Mask<R> active;
+};
+
+/// The local part of seed formula 1.5, for one surface. Lanes that are not active are meaningless.
+template <class R>
+ZERKALO_INLINE Rgb<R> local_light(const Plan& plan, const Spot<R>& spot, const SurfaceData& surface,
+                                  const Blockers& blockers, TileCounts& counts) {
+    Rgb<R> sum = spread<R>(surface.ambient);
+    for (std::int32_t j = 0; j < plan.light_count; ++j) {
+        const ToLight<R> to = towards(plan.lights[j], spot.p, spot.n);
+        const auto lit = spot.active & (to.n_dot_l > R(0));
+        if (none(lit)) continue;
+        counts.shadow += count_of(lit);
+        const auto visible = visible_from_outside(plan, j, blockers.of_light[j], to, spot.own_id, lit);
+        if (none(visible)) continue;
+        const Rgb<R> share = light_share(plan.lights[j], to, spot.n, -spot.d, surface, visible);
+        sum.r = select(visible, sum.r + share.r, sum.r);
+        sum.g = select(visible, sum.g + share.g, sum.g);
+        sum.b = select(visible, sum.b + share.b, sum.b);
+    }
+    return sum;
+}
+
+/// Light that the hit solids send back along the rays, solid by solid; `otherwise` where no lane is active.
+template <class R>
+ZERKALO_INLINE Rgb<R> solid_light(const Plan& plan, CandidateMask candidates, const Nearest<R>& near, Vec3<R> o,
+                                  Vec3<R> d, Mask<R> active, Rgb<R> otherwise, TileCounts& counts) {
+    const Vec3<R> p = o + d * near.t;
+    Rgb<R> light = otherwise;
+    for (CandidateMask left = solids_in(candidates); left != 0; left &= left - 1) {
+        const int k = first_of(left);
+        const SolidPlan& solid = plan.solids[k];
+        const auto here = active & (near.id == R(solid.id));
+        if (none(here)) continue;
+        const Spot<R> spot{p, normal_towards(plan, k, p, near.face, d), d, R(solid.id), Mask<R>(here)};
+        const Rgb<R> own = local_light(plan, spot, solid.surface, plan.blockers_of_solid[k], counts);
+        light.r = select(here, own.r, light.r);
+        light.g = select(here, own.g, light.g);
+        light.b = select(here, own.b, light.b);
+    }
+    return light;
+}
+
+}  // namespace zerkalo::inline ZERKALO_ISA

@@ -1,0 +1,57 @@
+// A convex polyhedron as an intersection of slabs: the solid itself, not its triangles, so no edge can leak.
+//
+// Along a ray each slab lo <= n.p <= hi is an interval of t; the polyhedron's span is their intersection, and the face
+// that set its entry is the face that is hit; ties go to the lowest slab. IEEE infinities carry the parallel rays:
+// outside the slab the interval is empty, inside it is everything, and 0/0 (in the face plane) is ignored.
+// Source: Kay, Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986; Haines, Graphics Gems II, 1991.
+#pragma once
+
+#include "core/geometry/ray.hpp"
+#include "core/shapes/shape_data.hpp"
+
+namespace zerkalo::inline ZERKALO_ISA {
+
+/// The slab's two offsets as seen from an origin: lo - n.o and hi - n.o.
+template <class N>
+struct SlabOrigin {
+    Length<N> lo, hi;
+};
+
+template <class N, class S, class O>
+ZERKALO_INLINE SlabOrigin<N> slab_seen_from(const S& slab, Vec3<O> o_from_centre) {
+    const auto s = as<Length<N>>(dot(slab.n, o_from_centre));
+    return {slab.lo - s, slab.hi - s};
+}
+
+/// A ray that is inside everything: where the intersection starts.
+template <class N>
+ZERKALO_INLINE Span<N> whole_span() {
+    const auto far = far_away<Length<N>>();
+    return {-far, far, typename N::Index(0), typename N::Index(0)};
+}
+
+/// Narrows the span by one slab.
+template <Faces F, class N, class S, class M>
+ZERKALO_INLINE void clip(Span<N>& span, const S& slab, const SlabOrigin<M>& from, Vec3<Direction<N>> d) {
+    const auto along = as<Direction<N>>(dot(slab.n, d));
+    const auto at_lo = quotient<Length<N>>(from.lo, along);
+    const auto at_hi = quotient<Length<N>>(from.hi, along);
+    const auto enter = min(at_lo, at_hi);
+    const auto leave = max(at_lo, at_hi);
+    if constexpr (F == Faces::none) {
+        span.entry = max(enter, span.entry);
+    } else {
+        const auto later = enter > span.entry;
+        span.face_in = select(later, typename N::Index(slab.index), span.face_in);
+        span.entry = select(later, enter, span.entry);
+    }
+    if constexpr (F == Faces::both) {
+        const auto sooner = leave < span.exit;
+        span.face_out = select(sooner, typename N::Index(slab.index), span.face_out);
+        span.exit = select(sooner, leave, span.exit);
+    } else {
+        span.exit = min(leave, span.exit);
+    }
+}
+
+}  // namespace zerkalo::inline ZERKALO_ISA

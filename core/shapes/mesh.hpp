@@ -1,0 +1,57 @@
+// A closed surface of triangles by the seed's method (its figure 2.4): Moeller, Trumbore, "Fast, Minimum Storage
+// Ray/Triangle Intersection", Journal of Graphics Tools 2(1), 1997, with an exact zero test instead of an epsilon.
+//
+// It is not a span: a mesh need not be convex. A ray that leaves one of its triangles on the outside can only meet a
+// front face next, on the inside only a back face: the sides exclude self-hits, together with the triangle's identity.
+#pragma once
+
+#include "core/geometry/ray.hpp"
+#include "core/shapes/shape_data.hpp"
+
+namespace zerkalo::inline ZERKALO_ISA {
+
+/// Which faces a ray can meet: both when it starts anywhere, one side when it starts on the mesh itself.
+template <class R>
+struct MeshSides {
+    Mask<R> front, back;
+    R own_face;  // the triangle on which the ray starts, or -1
+};
+
+template <class R>
+struct MeshHit {
+    Mask<R> hit, back;  // back: met from inside
+    R t, face;
+};
+
+/// The nearest triangle with t_min < t < t_max. `triangles` points to the mesh's first one.
+template <class R, class O>
+ZERKALO_INLINE MeshHit<R> mesh_hit(const TriangleData* triangles, int count, Vec3<O> o, Vec3<R> d, R t_min, R t_max,
+                                   const MeshSides<R>& sides) {
+    MeshHit<R> best{t_max < t_max, t_max < t_max, t_max, R(0)};
+    for (int k = 0; k < count; ++k) {
+        const TriangleData& tri = triangles[k];
+        const Vec3<R> across = cross(d, tri.edge_ac);
+        const R det = dot(tri.edge_ab, across);
+        const auto from_a = o - tri.a;
+        const R u = dot(from_a, across);
+        const auto turned = cross(from_a, tri.edge_ab);
+        const R v = dot(turned, d);
+        // Compare with det's sign taken out: 0 <= u, 0 <= v, u + v <= |det|, without the division.
+        const R size = absolute(det);
+        const R us = flip_sign(u, det);
+        const R vs = flip_sign(v, det);
+        auto hit = (us >= R(0)) & (vs >= R(0)) & (us + vs <= size) & (size > R(0));
+        if (none(hit)) continue;
+        // det > 0: the ray runs against the outward normal.
+        hit = hit & ((sides.front & (det > R(0))) | (sides.back & (det < R(0)))) & (sides.own_face != R(float(k)));
+        const R t = dot(turned, tri.edge_ac) / det;
+        hit = hit & (t > t_min) & (t < best.t);
+        best.t = select(hit, t, best.t);
+        best.face = select(hit, R(float(k)), best.face);
+        best.hit = best.hit | hit;
+        best.back = select(hit, Mask<R>(det < R(0)), best.back);
+    }
+    return best;
+}
+
+}  // namespace zerkalo::inline ZERKALO_ISA

@@ -1,0 +1,37 @@
+# Installs a build into an empty prefix, builds the consumer project against it from a copy outside of the source tree,
+# and compares what it prints with what the same program prints inside the build.
+# cmake -D BUILD= -D PROJECT= -D SCRATCH= -D EXPECTED= -D EMULATOR= -D GENERATOR= -D COMPILER= -D FLAGS= -D TOOLCHAIN= -P ...
+set(prefix ${SCRATCH}/prefix)
+set(copy ${SCRATCH}/copy)
+file(REMOVE_RECURSE ${prefix} ${copy})
+file(COPY ${PROJECT}/ DESTINATION ${copy})
+separate_arguments(EMULATOR UNIX_COMMAND "${EMULATOR}")
+set(toolchain "")
+if(TOOLCHAIN)
+  set(toolchain -DCMAKE_TOOLCHAIN_FILE=${TOOLCHAIN})
+endif()
+
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE error)
+  if(NOT code EQUAL 0)
+    string(JOIN " " command ${ARGN})
+    message(FATAL_ERROR "${command}: ${code}\n${output}${error}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
+run(${CMAKE_COMMAND} -S ${copy} -B ${copy}/build -G ${GENERATOR} ${toolchain} -Dzerkalo_ROOT=${prefix}
+  -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS=${FLAGS}")
+file(STRINGS ${copy}/build/CMakeCache.txt found REGEX "^zerkalo_DIR:")
+if(NOT found MATCHES "=${prefix}/")
+  message(FATAL_ERROR "the consumer found another zerkalo than the one just installed: ${found}")
+endif()
+run(${CMAKE_COMMAND} --build ${copy}/build)
+run(${EMULATOR} ${copy}/build/consumer)
+set(printed "${output}")
+run(${EMULATOR} ${EXPECTED})
+if(NOT printed STREQUAL output OR NOT printed MATCHES "^[0-9a-f]+ after 825 camera rays")
+  message(FATAL_ERROR "the installed package renders \"${printed}\", the build \"${output}\"")
+endif()
+message("${printed}")

@@ -1,0 +1,82 @@
+// See pictures.hpp.
+#include "tests/proofs/pictures/pictures.hpp"
+
+#include "core/image/hash.hpp"
+#include "core/render/render.hpp"
+#include "core/render/settings.hpp"
+#include "tests/proofs/pictures/scenes.hpp"
+
+#include <cstdint>
+
+namespace zerkalo::pictures {
+namespace {
+
+// 45 columns: no lane width divides them, so the last packet of a row has dead lanes.
+constexpr std::int32_t kWidth = 45, kHeight = 32;
+
+Plan plan;
+float pixels[kWidth * kHeight * 3];
+
+std::uint64_t hash_with(Isa isa) {
+    const LinearImage image{pixels, kWidth, kHeight, kWidth * 3 * static_cast<std::ptrdiff_t>(sizeof(float))};
+    const TileFunction render_tile = kernel_for(plan, isa);
+    RayCounts counts;
+    for (int i = 0; i < tile_count(plan); ++i) {
+        render_tile(plan, tile_at(plan, i), image, counts);
+    }
+    return hash_of(image);
+}
+
+char* append(char* end, const char* text) {
+    while (*text != '\0') {
+        *end++ = *text++;
+    }
+    *end = '\0';
+    return end;
+}
+
+void describe(Picture picture, Isa isa, std::uint64_t hash, char* line) {
+    char* end = append(append(append(append(line, name_of(picture)), " "), zerkalo::name_of(isa)), " ");
+    for (int shift = 60; shift >= 0; shift -= 4) {
+        *end++ = "0123456789abcdef"[(hash >> shift) & 15u];
+    }
+    append(end, "\n");
+}
+
+}  // namespace
+
+const char* name_of(Picture picture) {
+    constexpr const char* kNames[kPictureCount] = {"sharp", "glossy", "everything"};
+    return kNames[static_cast<int>(picture)];
+}
+
+bool render_all(void (*write)(const char* line)) {
+    Settings settings;
+    settings.width = kWidth;
+    settings.height = kHeight;
+    settings.samples = 5;
+    bool same = true;
+    for (int p = 0; p < kPictureCount; ++p) {
+        const Status status = prepare(kScenes[p], settings, plan);
+        if (!status.ok()) {
+            write(status.reason);
+            write("\n");
+            return false;
+        }
+        const std::uint64_t serial = hash_with(Isa::scalar);
+        for (int i = 0; i < kIsaCount; ++i) {
+            const Isa isa = static_cast<Isa>(i);
+            if (!available(isa)) {
+                continue;
+            }
+            const std::uint64_t hash = hash_with(isa);
+            same = same && hash == serial;
+            char line[64];
+            describe(static_cast<Picture>(p), isa, hash, line);
+            write(line);
+        }
+    }
+    return same;
+}
+
+}  // namespace zerkalo::pictures

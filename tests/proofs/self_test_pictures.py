@@ -1,0 +1,51 @@
+"""Feeds differing programs to the comparison of pictures: each must be rejected."""
+import stat
+import tempfile
+import unittest
+from pathlib import Path
+
+import same_pictures
+
+GOOD = "sharp sse2 00ff\nsharp avx2 00ff\nglossy sse2 1234\nglossy avx2 1234\n"
+
+
+class SamePictures(unittest.TestCase):
+    def run_on(self, *outputs, native=(), code=0):
+        """The exit code for programs that print the given texts."""
+        with tempfile.TemporaryDirectory() as folder:
+            arguments = []
+            for i, text in enumerate([*native, *outputs]):
+                program = Path(folder) / f"program{i}"
+                program.write_text(f"#!/bin/sh\nprintf '%s' '{text}'\nexit {code}\n")
+                program.chmod(program.stat().st_mode | stat.S_IXUSR)
+                arguments += ["--native", str(program)] if i < len(native) else [str(program)]
+            return same_pictures.main(arguments)
+
+    def test_equal_pictures_are_accepted(self):
+        self.assertEqual(self.run_on(GOOD, GOOD, GOOD), 0)
+
+    def test_another_hash_in_one_program_is_rejected(self):
+        self.assertEqual(self.run_on(GOOD, GOOD.replace("1234", "1235")), 1)
+        self.assertEqual(self.run_on(GOOD, GOOD, GOOD.replace("avx2 00ff", "avx2 00fe")), 1)
+
+    def test_another_hash_in_one_instruction_set_of_all_programs_is_rejected(self):
+        odd = GOOD.replace("avx2 00ff", "avx2 00fe")
+        self.assertEqual(self.run_on(odd, odd), 1)
+
+    def test_a_missing_kernel_or_picture_is_rejected(self):
+        self.assertEqual(self.run_on(GOOD, "sharp sse2 00ff\nglossy sse2 1234\n"), 1)
+        self.assertEqual(self.run_on("sharp sse2 00ff\nsharp avx2 00ff\n", GOOD), 1)
+
+    def test_a_native_program_may_have_other_kernels_but_not_other_hashes_or_fewer_pictures(self):
+        self.assertEqual(self.run_on(GOOD, native=[GOOD.replace("sse2", "neon")]), 0)
+        self.assertEqual(self.run_on(GOOD, native=[GOOD.replace("sse2", "neon").replace("1234", "1")]), 1)
+        self.assertEqual(self.run_on(GOOD, native=["sharp neon 00ff\n"]), 1)
+
+    def test_a_failing_silent_or_lone_program_is_rejected(self):
+        for outputs, code in (((GOOD, GOOD), 1), (("", ""), 0), ((GOOD,), 0)):
+            with self.assertRaises(SystemExit):
+                self.run_on(*outputs, code=code)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,63 @@
+// Small scenes and one-ray probes for the tests of the reference tracer.
+#pragma once
+
+#include "tests/support/reference.hpp"
+
+#include <numbers>
+
+namespace zerkalo::reference {
+
+constexpr double kPi = std::numbers::pi;
+constexpr std::uint64_t kSeed = 20240607;
+
+inline Settings depth(int limit) {
+    Settings settings;
+    settings.depth_limit = limit;
+    return settings;
+}
+
+/// Radiance that arrives at `origin` from `direction` (any length).
+inline Color look(const Scene& scene, const Vector& origin, const Vector& direction, int depth_limit = 6,
+                  unsigned lobe_samples = 1) {
+    Random random(kSeed);
+    return Tracer(scene, depth(depth_limit), lobe_samples).radiance({origin, normalized(direction)}, random);
+}
+
+/// A solid that shows its colour and answers to no light: C = color, K_a = 1, all else 0.
+inline Material glowing(const Rgb<double>& color) {
+    Material material;
+    material.color = color;
+    material.ambient = 1;
+    material.diffuse = material.specular = 0;
+    return material;
+}
+
+/// A mirror that only reflects, all of it: disc of that radius at the origin, facing +z.
+inline Mirror ideal_mirror(double radius) {
+    Mirror mirror;
+    mirror.boundary.shape = BoundaryShape::disc;
+    mirror.boundary.radius = radius;
+    mirror.ambient = mirror.diffuse = mirror.specular = 0;
+    mirror.reflection = 1;
+    return mirror;
+}
+
+inline Solid ball(const Vec3<double>& center, double radius) {
+    Solid solid;
+    solid.kind = SolidKind::sphere;
+    solid.position = center;
+    solid.radius = radius;
+    return solid;
+}
+
+inline void add(Scene& scene, const Solid& solid) { scene.solids[scene.solid_count++] = solid; }
+inline void add(Scene& scene, const Mirror& mirror) { scene.mirrors[scene.mirror_count++] = mirror; }
+inline void add(Scene& scene, const Light& light) { scene.lights[scene.light_count++] = light; }
+
+inline Light lamp(const Vec3<double>& position) {
+    Light light;
+    light.position = position;
+    return light;
+}
+
+}  // namespace zerkalo::reference

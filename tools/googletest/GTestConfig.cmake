@@ -1,0 +1,18 @@
+# GoogleTest built from the sources that Debian's package `googletest` ships: for targets without a built library.
+# Used where GTest_DIR names this folder (preset aarch64).
+set(zerkalo_googletest /usr/src/googletest/googletest)
+if(NOT EXISTS ${zerkalo_googletest}/CMakeLists.txt)
+  set(GTest_NOT_FOUND_MESSAGE "no GoogleTest sources in ${zerkalo_googletest}: install the package googletest")
+  set(GTest_FOUND FALSE)
+  return()
+endif()
+if(NOT TARGET gtest)
+  set(INSTALL_GTEST OFF CACHE BOOL "Install GoogleTest" FORCE)
+  add_subdirectory(${zerkalo_googletest} ${CMAKE_BINARY_DIR}/googletest EXCLUDE_FROM_ALL)
+  target_compile_options(gtest PRIVATE -w)
+endif()
+foreach(zerkalo_library gtest gtest_main)
+  if(NOT TARGET GTest::${zerkalo_library})
+    add_library(GTest::${zerkalo_library} ALIAS ${zerkalo_library})
+  endif()
+endforeach()

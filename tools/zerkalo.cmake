@@ -1,0 +1,43 @@
+# The program: every command; and the same linked statically, without bench (Debian's Google Benchmark is shared only).
+find_package(CLI11 REQUIRED)
+find_package(benchmark REQUIRED)
+find_package(Threads REQUIRED)
+
+set(zerkalo_sources
+  zerkalo/main.cpp
+  zerkalo/options.cpp
+  zerkalo/messages.cpp
+  zerkalo/json.cpp
+  zerkalo/progress.cpp
+  zerkalo/stop_signals.cpp
+  zerkalo/scene_input.cpp
+  zerkalo/picture_file.cpp
+  zerkalo/picture_difference.cpp
+  zerkalo/frame.cpp
+  zerkalo/render_command.cpp
+  zerkalo/compare_command.cpp
+  zerkalo/show_command.cpp
+  zerkalo/doctor_command.cpp)
+
+# zerkalo_program(NAME PLATFORM...): the program, with what stands for the platform library.
+function(zerkalo_program name)
+  add_executable(${name} ${zerkalo_sources})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_compile_definitions(${name} PRIVATE ZERKALO_VERSION="${PROJECT_VERSION}")
+  target_link_libraries(${name} PRIVATE zerkalo_options zerkalo_scene_file ${ARGN} zerkalo::core
+    CLI11::CLI11 Threads::Threads)
+endfunction()
+
+zerkalo_program(zerkalo zerkalo::platform)
+target_sources(zerkalo PRIVATE zerkalo/bench_command.cpp zerkalo/bench_scenes.cpp)
+target_compile_definitions(zerkalo PRIVATE ZERKALO_BENCH)
+target_link_libraries(zerkalo PRIVATE benchmark::benchmark)
+
+# The platform library brings the shared libpng with it: take its objects alone, and the static libraries by name.
+find_library(ZERKALO_STATIC_PNG libpng.a)
+find_library(ZERKALO_STATIC_ZLIB libz.a)
+if(ZERKALO_STATIC_PNG AND ZERKALO_STATIC_ZLIB)
+  zerkalo_program(zerkalo_static $<TARGET_OBJECTS:zerkalo_platform> ${ZERKALO_STATIC_PNG} ${ZERKALO_STATIC_ZLIB} m)
+  set_target_properties(zerkalo_static PROPERTIES EXCLUDE_FROM_ALL ON)
+  target_link_options(zerkalo_static PRIVATE -static)
+endif()

@@ -1,0 +1,112 @@
+#include "tools/zerkalo/frame.hpp"
+
+#include "tools/thread_tiles.hpp"
+#include "tools/zerkalo/failure.hpp"
+#include "tools/zerkalo/messages.hpp"
+#include "tools/zerkalo/progress.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace zerkalo {
+namespace {
+
+// One thread's counts, alone on their cache lines.
+struct alignas(128) ThreadCounts {
+    RayCounts rays;
+};
+
+void add(RayCounts& sum, const RayCounts& more) {
+    sum.primary += more.primary;
+    sum.reflected += more.reflected;
+    sum.lobe += more.lobe;
+    sum.refracted += more.refracted;
+    sum.shadow += more.shadow;
+}
+
+RayCounts render_once(const Frame& frame, Progress* progress) {
+    const Plan& plan = *frame.plan;
+    std::vector<ThreadCounts> counts(static_cast<std::size_t>(frame.threads));
+    const auto render_tile = [&](int tile, int thread) {
+        RayCounts& rays = counts[static_cast<std::size_t>(thread)].rays;
+        const std::uint64_t before = progress ? total_of(rays) : 0;
+        frame.kernel(plan, tile_at(plan, tile), frame.image, rays);
+        if (!progress) return;
+        progress->add_step(total_of(rays) - before);
+        if (thread == 0) progress->show();
+    };
+    thread_tiles(tile_count(plan), frame.threads, render_tile);
+
+    RayCounts sum;
+    for (const ThreadCounts& of_thread : counts) add(sum, of_thread.rays);
+    return sum;
+}
+
+// A setting is named as the option that sets it, a part of the scene by its table and place.
+Failure refusal(const Status& status) {
+    if (status.part != Part::settings) {
+        return {ExitCode::scene_invalid,
+                format("%s %d: %s: %s", name_of(status.part), status.index + 1, status.field, status.reason)};
+    }
+    std::string option = status.field;
+    std::replace(option.begin(), option.end(), '_', '-');
+    return {ExitCode::usage, "--" + option + ": " + status.reason};
+}
+
+}  // namespace
+
+Frame prepare_frame(const Scene& scene, const Settings& settings, Isa isa, int threads) {
+    Frame frame;
+    frame.plan = std::make_unique<Plan>();
+    const Status status = prepare(scene, settings, *frame.plan);
+    if (!status.ok()) throw refusal(status);
+    const std::int32_t width = frame.plan->width, height = frame.plan->height;
+    // Zeros touch every page now, so that no page fault is counted as rendering.
+    frame.pixels =
+        std::make_unique<float[]>(std::size_t{3} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    frame.image = {frame.pixels.get(), width, height, static_cast<std::ptrdiff_t>(3 * sizeof(float)) * width};
+    frame.isa = isa;
+    frame.kernel = kernel_for(*frame.plan, isa);
+    frame.threads = threads;
+    return frame;
+}
+
+FrameCost render_frame(const Frame& frame, int repeat, bool progress) {
+    using Clock = std::chrono::steady_clock;
+    FrameCost cost;
+    Progress line(std::int64_t{repeat} * tile_count(*frame.plan));
+    for (int i = 0; i < repeat; ++i) {
+        const Clock::time_point start = Clock::now();
+        cost.rays = render_once(frame, progress ? &line : nullptr);
+        cost.seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
+    }
+    return cost;
+}
+
+void render_until(const Frame& frame, const std::atomic<bool>& stopped) {
+    const auto render_tile = [&](int tile, int) {
+        RayCounts unused;
+        if (stopped.load(std::memory_order_relaxed)) return;
+        frame.kernel(*frame.plan, tile_at(*frame.plan, tile), frame.image, unused);
+    };
+    thread_tiles(tile_count(*frame.plan), frame.threads, render_tile);
+}
+
+std::uint64_t total_of(const RayCounts& rays) {
+    return rays.primary + rays.reflected + rays.lobe + rays.refracted + rays.shadow;
+}
+
+std::vector<std::string> features_of(const Plan& plan) {
+    constexpr int kMostFeatures = 64;
+    const char* names[kMostFeatures];
+    const int count = feature_names(plan, names, kMostFeatures);
+    return {names, names + count};
+}
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const std::size_t middle = values.size() / 2;
+    return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+}
+
+}  // namespace zerkalo

@@ -1,0 +1,48 @@
+// One frame on the host: the plan, the picture's memory, and the threads and the clock around the kernels.
+#pragma once
+
+#include "core/render/render.hpp"
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace zerkalo {
+
+/// A prepared frame. `image` covers all of plan->width x plan->height and is backed by `pixels`.
+struct Frame {
+    std::unique_ptr<Plan> plan;
+    std::unique_ptr<float[]> pixels;
+    LinearImage image;
+    Isa isa = Isa::scalar;
+    TileFunction kernel = nullptr;
+    int threads = 1;
+};
+
+/// What rendering cost: seconds of all tiles, one entry a repetition, and the rays of one repetition.
+struct FrameCost {
+    std::vector<double> seconds;
+    RayCounts rays;
+};
+
+/// Prepares the plan and a picture whose pages are already touched. Precondition: available(isa).
+/// Throws Failure: usage when a setting is refused, scene_invalid when the scene is.
+Frame prepare_frame(const Scene& scene, const Settings& settings, Isa isa, int threads);
+
+/// Renders the whole picture `repeat` times, with a progress line when `progress` is set.
+FrameCost render_frame(const Frame& frame, int repeat, bool progress);
+
+/// Renders the picture once, but leaves the tiles out that are begun after `stopped` was set.
+void render_until(const Frame& frame, const std::atomic<bool>& stopped);
+
+/// All rays, of every kind.
+std::uint64_t total_of(const RayCounts& rays);
+
+/// The features that the plan uses.
+std::vector<std::string> features_of(const Plan& plan);
+
+/// The middle one of `values`, the mean of the middle two of an even number. Precondition: at least one.
+double median(std::vector<double> values);
+
+}  // namespace zerkalo

@@ -1,0 +1,134 @@
+// zerkalo render: a scene file becomes a picture file, and a line (or a JSON object) that tells what it cost.
+#include "core/image/hash.hpp"
+#include "tools/zerkalo/commands.hpp"
+#include "tools/zerkalo/frame.hpp"
+#include "tools/zerkalo/json.hpp"
+#include "tools/zerkalo/messages.hpp"
+#include "tools/zerkalo/options.hpp"
+#include "tools/zerkalo/picture_file.hpp"
+#include "tools/zerkalo/progress.hpp"
+#include "tools/zerkalo/scene_input.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <unistd.h>
+
+namespace zerkalo {
+namespace {
+
+constexpr int kMaxRepeat = 1000000;
+
+struct RenderOptions {
+    std::string scene, output;
+    Settings settings;
+    int depth = 8;
+    std::optional<Isa> isa;
+    int threads = 1;
+    int repeat = 1;
+    std::string estimator = "fibonacci", number = "float";
+    bool json = false;
+};
+
+JsonObject rays_json(const RayCounts& rays) {
+    const auto count = [](std::uint64_t value) { return static_cast<std::int64_t>(value); };
+    JsonObject json;
+    json.integer("primary", count(rays.primary)).integer("reflected", count(rays.reflected));
+    json.integer("lobe", count(rays.lobe)).integer("refracted", count(rays.refracted));
+    return json.integer("shadow", count(rays.shadow));
+}
+
+// Largest resident memory of this process so far, in bytes; 0 where the kernel does not tell. Not getrusage(): its
+// figure begins with that of the program that started this one.
+std::int64_t peak_memory() {
+    std::int64_t kilobytes = 0;
+    std::FILE* file = std::fopen("/proc/self/status", "r");
+    if (!file) return 0;
+    char line[256];
+    while (std::fgets(line, sizeof line, file)) {
+        long long value = 0;
+        if (std::sscanf(line, "VmHWM: %lld kB", &value) == 1) kilobytes = value;
+    }
+    std::fclose(file);
+    return kilobytes * 1024;
+}
+
+std::string json_report(const RenderOptions& options, const Frame& frame, const FrameCost& cost) {
+    JsonObject json;
+    json.text("scene", options.scene).integer("width", frame.image.width).integer("height", frame.image.height);
+    json.number("seconds", median(cost.seconds));
+    if (options.repeat > 1) {
+        const auto [min, max] = std::minmax_element(cost.seconds.begin(), cost.seconds.end());
+        json.integer("repeat", options.repeat).number("seconds_min", *min).number("seconds_max", *max);
+    }
+    json.text("isa", name_of(frame.isa)).integer("lanes", lanes_of(frame.isa)).text("number", options.number);
+    json.integer("threads", frame.threads).integer("samples", options.settings.samples);
+    json.integer("antialias", options.settings.antialias).integer("depth_limit", options.settings.depth_limit);
+    json.text("estimator", options.estimator).flag("exact_plan", options.settings.exact_plan);
+    json.object("rays", rays_json(cost.rays)).list("features", features_of(*frame.plan));
+    json.text("hash", format("%016llx", static_cast<unsigned long long>(hash_of(frame.image))));
+    return json.integer("peak_bytes", peak_memory()).text("output", options.output).str() + "\n";
+}
+
+std::string text_report(const RenderOptions& options, const Frame& frame, const FrameCost& cost) {
+    const double seconds = median(cost.seconds);
+    const double rays = static_cast<double>(total_of(cost.rays));
+    const int lanes = lanes_of(frame.isa);
+    return format("%s: %dx%d in %.3f ms, %.1f Mray/s (%s, %d lane%s, %d thread%s)\n", options.output.c_str(),
+                  frame.image.width, frame.image.height, 1e3 * seconds, 1e-6 * rays / seconds, name_of(frame.isa),
+                  lanes, lanes == 1 ? "" : "s", frame.threads, frame.threads == 1 ? "" : "s");
+}
+
+// Standard output holds either the picture or the report.
+void check_standard_output(const RenderOptions& options) {
+    if (options.output != "-") return;
+    if (options.json) throw Failure(ExitCode::usage, "--json and '-o -' both want standard output; choose one");
+    if (isatty(STDOUT_FILENO) == 1) {
+        throw Failure(ExitCode::usage, "-o -: standard output is a terminal; redirect it to a file or a pipe");
+    }
+}
+
+ExitCode run_render(const RenderOptions& options) {
+    check_standard_output(options);
+    const PictureKind kind = picture_kind(options.output, options.depth);
+    const Isa isa = chosen_isa(options.isa);
+    const SceneInput input = read_scene(options.scene);
+    WholeFile file;
+    open_picture(file, options.output);
+
+    const Frame frame = prepare_frame(*input.scene, options.settings, isa, options.threads);
+    const FrameCost cost = render_frame(frame, options.repeat, progress_wanted());
+    write_picture(file, frame.image, kind);
+    if (options.output != "-") print_result((options.json ? json_report : text_report)(options, frame, cost));
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, Action& action) {
+    const auto options = std::make_shared<RenderOptions>();
+    CLI::App* command = app.add_subcommand("render", "Renders a scene into a picture file");
+    command->add_option("SCENE", options->scene, "Scene file (TOML)")->required();
+    command->add_option("-o,--output", options->output, "NAME.png, NAME.pfm (linear floats), or - for PNG on stdout")
+        ->required()
+        ->type_name("OUT");
+    command->add_option("--depth", options->depth, "Bits a channel of a PNG: 8 or 16")
+        ->check(one_of({"8", "16"}))
+        ->type_name("BITS");
+    add_size_option(*command, options->settings);
+    add_quality_options(*command, options->settings);
+    command->add_option("--estimator", options->estimator, "How lobe rays are placed: fibonacci")
+        ->check(one_of({"fibonacci"}))
+        ->type_name("NAME");
+    command->add_option("--number", options->number, "Number type of the kernels: float")
+        ->check(one_of({"float"}))
+        ->type_name("NAME");
+    add_isa_option(*command, options->isa);
+    add_threads_option(*command, options->threads);
+    command->add_option("--repeat", options->repeat, "Render so many times and report the median")
+        ->check(whole_number(1, kMaxRepeat))
+        ->type_name("N");
+    add_json_option(*command, options->json);
+    command->callback([options, &action] { action = [options] { return run_render(*options); }; });
+}
+
+}  // namespace zerkalo
