@@ -40,9 +40,7 @@ inline Point rotated_z(Point p, double angle) {
 }
 
 /// R_z R_y R_x p: about x first, then y, then z. Angles in radians.
-inline Point rotated(Point p, Point angles) {
-    return rotated_z(rotated_y(rotated_x(p, angles.x), angles.y), angles.z);
-}
+inline Point rotated(Point p, Point angles) { return rotated_z(rotated_y(rotated_x(p, angles.x), angles.y), angles.z); }
 
 /// The world axis with the smallest component along v (ties: x, y, z).
 inline Point least_axis(Point v) {

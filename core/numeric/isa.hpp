@@ -15,3 +15,5 @@
 // Forced inlining: structs of lanes passed to a function that is not inlined go through memory.
 #define ZERKALO_INLINE inline __attribute__((always_inline))
 #define ZERKALO_INLINE_LAMBDA __attribute__((always_inline))
+// Once in a kernel: code that is too large to be repeated and not hot enough to need it.
+#define ZERKALO_ONCE inline __attribute__((noinline))

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "core/numeric/isa.hpp"
+#include "core/numeric/native_order.hpp"
 
 #include <bit>
 #include <cstdint>
@@ -79,13 +80,21 @@ struct Lanes {
         return Lanes(Batch(a.v / b.v));
 #endif
     }
-    friend ZERKALO_INLINE Lanes operator-(Lanes a) { return Lanes(Batch(-a.v)); }
+    friend ZERKALO_INLINE Lanes operator-(Lanes a) {
+#if defined(__AVX512F__)
+        // The library subtracts from zero here, and so makes +0 of +0.
+        return flip_sign(a, Lanes(-1.0f));
+#else
+        return Lanes(Batch(-a.v));
+#endif
+    }
     friend ZERKALO_INLINE LaneMask<W> operator<(Lanes a, Lanes b) { return a.v < b.v; }
     friend ZERKALO_INLINE LaneMask<W> operator>(Lanes a, Lanes b) { return a.v > b.v; }
     friend ZERKALO_INLINE LaneMask<W> operator<=(Lanes a, Lanes b) { return a.v <= b.v; }
     friend ZERKALO_INLINE LaneMask<W> operator>=(Lanes a, Lanes b) { return a.v >= b.v; }
     friend ZERKALO_INLINE LaneMask<W> operator==(Lanes a, Lanes b) { return a.v == b.v; }
-    friend ZERKALO_INLINE LaneMask<W> operator!=(Lanes a, Lanes b) { return a.v != b.v; }
+    /// True where either is NaN. The library's AVX and AVX-512 forms say false there.
+    friend ZERKALO_INLINE LaneMask<W> operator!=(Lanes a, Lanes b) { return !(a == b); }
 };
 
 /// The bit patterns of W floats, or W unsigned integers; arithmetic wraps.
@@ -192,45 +201,39 @@ ZERKALO_INLINE Lanes<W> sqrt(Lanes<W> a) {
 #endif
 }
 
-/// a < b ? a : b, so b where either is NaN: the x86 instruction says exactly this, NEON's does not.
+/// a < b ? a : b, so b where either is NaN.
 template <int W>
 ZERKALO_INLINE Lanes<W> min(Lanes<W> a, Lanes<W> b) {
-#if defined(__SSE2__)
-    return Lanes<W>(xsimd::min(a.v, b.v));
-#else
-    return select(a < b, a, b);
-#endif
+    using Register = typename FloatBatch<W>::register_type;
+    return Lanes<W>(FloatBatch<W>(native_min(Register(a.v), Register(b.v))));
 }
 
 /// a > b ? a : b, so b where either is NaN.
 template <int W>
 ZERKALO_INLINE Lanes<W> max(Lanes<W> a, Lanes<W> b) {
-#if defined(__SSE2__)
-    return Lanes<W>(xsimd::max(a.v, b.v));
-#else
-    return select(a > b, a, b);
-#endif
+    using Register = typename FloatBatch<W>::register_type;
+    return Lanes<W>(FloatBatch<W>(native_max(Register(a.v), Register(b.v))));
 }
 template <int W>
 ZERKALO_INLINE Lanes<W> min(Lanes<W> a, float b) { return min(a, Lanes<W>(b)); }
 template <int W>
 ZERKALO_INLINE Lanes<W> max(Lanes<W> a, float b) { return max(a, Lanes<W>(b)); }
 
+// Version 10 of the library and later name a cast's target by its element, earlier ones by its batch.
+#if XSIMD_VERSION_MAJOR < 10
+template <class Element, class Batch>
+using CastTarget = Batch;
+#else
+template <class Element, class Batch>
+using CastTarget = Element;
+#endif
 template <int W>
 ZERKALO_INLINE LaneBits<W> to_bits(Lanes<W> a) {
-#if XSIMD_VERSION_MAJOR < 10
-    return LaneBits<W>(xsimd::bitwise_cast<BitsBatch<W>>(a.v));
-#else
-    return LaneBits<W>(xsimd::bitwise_cast<std::uint32_t>(a.v));
-#endif
+    return LaneBits<W>(xsimd::bitwise_cast<CastTarget<std::uint32_t, BitsBatch<W>>>(a.v));
 }
 template <int W>
 ZERKALO_INLINE Lanes<W> from_bits(LaneBits<W> a) {
-#if XSIMD_VERSION_MAJOR < 10
-    return Lanes<W>(xsimd::bitwise_cast<FloatBatch<W>>(a.v));
-#else
-    return Lanes<W>(xsimd::bitwise_cast<float>(a.v));
-#endif
+    return Lanes<W>(xsimd::bitwise_cast<CastTarget<float, FloatBatch<W>>>(a.v));
 }
 
 /// Unaligned: `source` holds kWidth<R> floats.
@@ -268,7 +271,7 @@ ZERKALO_INLINE R absolute(R a) {
 ZERKALO_INLINE float first_lane(float a) { return a; }
 ZERKALO_INLINE float largest_lane(float a) { return a; }
 template <int W>
-ZERKALO_INLINE float first_lane(Lanes<W> a) { return a.v.get(0); }
+ZERKALO_INLINE float first_lane(Lanes<W> a) { return typename FloatBatch<W>::register_type(a.v)[0]; }
 
 /// For decisions about whole packets only: no lane's value may depend on another's.
 template <int W>

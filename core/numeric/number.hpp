@@ -16,6 +16,7 @@ struct FloatNumbers {
     using Length = R;
     using Direction = R;
     using Area = R;
+    using Square = R;
     using Curvature = R;
     using Index = R;
     using Mask = zerkalo::Mask<R>;
@@ -28,6 +29,11 @@ template <class N>
 using Direction = typename N::Direction;
 template <class N>
 using Area = typename N::Area;
+/// Of a direction's component: what a discriminant without a unit of length is.
+template <class N>
+using Square = typename N::Square;
+template <class N>
+using Curvature = typename N::Curvature;
 template <class N>
 using MaskOf = typename N::Mask;
 template <class N>
@@ -45,6 +51,12 @@ ZERKALO_INLINE To quotient(A a, B b) {
     return To(a) / To(b);
 }
 
+/// a b in the format To, where the product has no format of its own.
+template <class To, class A, class B>
+ZERKALO_INLINE To product(A a, B b) {
+    return To(a) * To(b);
+}
+
 /// Square root in the format To of a value >= 0.
 template <class To, class A>
 ZERKALO_INLINE To root(A a) {
@@ -54,7 +66,17 @@ ZERKALO_INLINE To root(A a) {
 /// Farther than anything: the bound of a span that never ends.
 template <class L>
 ZERKALO_INLINE L far_away() {
-    return L(std::numeric_limits<float>::infinity());
+    if constexpr (requires { L::far_away(); }) {
+        return L::far_away();
+    } else {
+        return L(std::numeric_limits<float>::infinity());
+    }
+}
+
+/// Whether a crossing at t lies beyond t_min. `along`: the root that t was made of, which fixed point asks as well.
+template <class T, class L>
+ZERKALO_INLINE auto ahead_of(T t_min, L t, L) -> decltype(t > t_min) {
+    return t > t_min;
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

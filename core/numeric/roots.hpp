@@ -24,11 +24,11 @@ ZERKALO_INLINE RootPair<L> roots_of_unit_quadratic(B b, D c, D disc) {
     return {quotient<L>(c, q), q};
 }
 
-/// Any A, also 0 and negative. `disc` >= 0.
-template <class L, class A, class B, class D>
-ZERKALO_INLINE RootPair<L> roots_of_quadratic(A a, B b, D c, D disc) {
-    const L minus_b = -as<L>(b);
-    const L q = minus_b + flip_sign(root<L>(disc), minus_b);
+/// Any A, also 0 and negative. `disc` >= 0. Q: the format of B.
+template <class L, class Q = L, class A, class B, class C, class D>
+ZERKALO_INLINE RootPair<L> roots_of_quadratic(A a, B b, C c, D disc) {
+    const Q minus_b = -as<Q>(b);
+    const Q q = minus_b + flip_sign(root<Q>(disc), minus_b);
     return {quotient<L>(c, q), quotient<L>(q, a)};
 }
 

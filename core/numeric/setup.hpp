@@ -30,7 +30,7 @@ struct SetupSineCosine {
 inline SetupSineCosine sine_cosine(double x) {
     // x = k pi/2 + r, |r| <= pi/4; pi/2 in three parts whose first products with k are exact.
     const double k = nearest_integer(x * (2 / kPi));
-    const double r = ((x - k * 0x1.921fb544p+0) - k * 0x1.0b4611ap-34) - k * 0x1.3198a2e037073p-69;
+    const double r = ((x - k * 0x1.921fb544p+0) - k * 0x1.0b4611a6p-34) - k * 0x1.3198a2e037073p-69;
     const double z = r * r;
     double s = 0, c = 0;
     // Taylor's series by Horner: sin = r (1 - z/(2 3) (1 - z/(4 5) (...))), cos = 1 - z/(1 2) (1 - z/(3 4) (...)).

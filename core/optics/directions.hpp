@@ -20,8 +20,8 @@ ZERKALO_INLINE Vec3<D> mirror_direction(Vec3<D> l, Vec3<D> n, D n_dot_l) {
 
 template <class R>
 struct Refraction {
-    Vec3<R> d;           // unit direction behind the surface; meaningless where total
-    Mask<R> total;       // total internal reflection: nothing goes through
+    Vec3<R> d;      // unit direction behind the surface; meaningless where total
+    Mask<R> total;  // total internal reflection: nothing goes through
 };
 
 /// Snell's law for d meeting the normal n (n.d < 0); eta = index before / index behind.

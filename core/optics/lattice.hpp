@@ -33,11 +33,28 @@ ZERKALO_INLINE B hash_bits(B key) {
 
 constexpr int kLatticeClasses = 4;
 
-/// Which class the pixel (x, y) of an 8x8 tile belongs to; `tile_hash` holds two bits for each of its 16 blocks.
-ZERKALO_INLINE int lattice_class(std::uint32_t tile_hash, int x, int y) {
-    const int block = (y / 2) * 4 + x / 2;
-    const int corner = (y & 1) * 2 + (x & 1);
-    return corner ^ static_cast<int>((tile_hash >> (2 * block)) & 3u);
+/// Where in a tile's hash the two bits of a pixel's block are, and the pixel's corner in it.
+struct BlockPlace {
+    std::uint8_t shift, corner;
+};
+struct BlockPlaces {
+    BlockPlace of_pixel[64];
+};
+constexpr BlockPlaces block_places() {
+    BlockPlaces places{};
+    for (int pixel = 0; pixel < 64; ++pixel) {
+        const int x = pixel % 8, y = pixel / 8;
+        places.of_pixel[pixel] = {static_cast<std::uint8_t>(2 * ((y / 2) * 4 + x / 2)),
+                                  static_cast<std::uint8_t>((y % 2) * 2 + x % 2)};
+    }
+    return places;
+}
+constexpr BlockPlaces kBlockPlaces = block_places();
+
+/// Which class a pixel of an 8x8 tile (row-major) belongs to; `tile_hash` holds two bits for each of its 16 blocks.
+ZERKALO_INLINE int lattice_class(std::uint32_t tile_hash, int pixel) {
+    const BlockPlace place = kBlockPlaces.of_pixel[pixel];
+    return place.corner ^ static_cast<int>((tile_hash >> place.shift) & 3u);
 }
 
 /// By how much of a turn a class is rotated, for the given camera sample and mirror bounce.

@@ -9,10 +9,10 @@ namespace zerkalo {
 
 struct LightData {
     Vec3<float> position;
-    Rgb<float> power;            // color * intensity: E without the falloff
-    float highlight_limit;       // n x beyond which (1-x)^n E cannot change a picture by 2^-24
+    Rgb<float> power;       // color * intensity: E without the falloff
+    float highlight_limit;  // n x beyond which (1-x)^n E cannot change a picture by 2^-24
     std::uint8_t inverse_square;
-    std::uint8_t distant;        // so far away that shadow rays must start at the surface
+    std::uint8_t distant;  // so far away that shadow rays must start at the surface
 };
 
 /// The coefficients of seed formula 1.5 with everything constant multiplied out. A back of a mirror has no highlight.

@@ -51,8 +51,7 @@ template <class R>
 ZERKALO_INLINE void keep_mesh(AnyHit<R>& best, const Plan& plan, const SolidPlan& solid, Vec3<R> o, Vec3<R> d,
                               const Departure<R>& from, Mask<R> active, R t_min) {
     const TriangleData* triangles = plan.triangles + solid.mesh.first;
-    const MeshHit<R> hit =
-        mesh_hit(triangles, solid.mesh.count, o, d, t_min, best.t, sides_open_to(solid, from));
+    const MeshHit<R> hit = mesh_hit(triangles, solid.mesh.count, o, d, t_min, best.t, sides_open_to(solid, from));
     const auto nearer = active & hit.hit;
     best.t = select(nearer, hit.t, best.t);
     best.id = select(nearer, R(solid.id), best.id);
@@ -83,8 +82,8 @@ ZERKALO_INLINE MirrorHit<FloatNumbers<R>> any_mirror_hit(const Plan& plan, int m
 
 /// The nearest surface with t > t_min; t is infinite and id -1 where there is none.
 template <class R>
-ZERKALO_INLINE AnyHit<R> nearest_anywhere(const Plan& plan, CandidateMask candidates, Vec3<R> o, Vec3<R> d,
-                                          const Departure<R>& from, Mask<R> active, R t_min) {
+ZERKALO_ONCE AnyHit<R> nearest_anywhere(const Plan& plan, CandidateMask candidates, Vec3<R> o, Vec3<R> d,
+                                        const Departure<R>& from, Mask<R> active, R t_min) {
     AnyHit<R> best{far_away<R>(), R(-1), R(0), Mask<R>(false), R(0), R(0), R(0)};
     for (CandidateMask left = solids_in(candidates); left != 0; left &= left - 1) {
         const int k = first_of(left);
@@ -93,10 +92,9 @@ ZERKALO_INLINE AnyHit<R> nearest_anywhere(const Plan& plan, CandidateMask candid
         if (solid.shape == ShapeKind::mesh) {
             keep_mesh(best, plan, solid, o, d, from, active, t_min);
         } else {
-            with_span<Faces::both>(plan, k, PointOrigin<R>{o}, d, [&](const Span<FloatNumbers<R>>& span)
-                                                                     ZERKALO_INLINE_LAMBDA {
-                keep_convex(best, span, solid, from, active, t_min);
-            });
+            with_span<Faces::both>(plan, k, PointOrigin<R>{o}, d,
+                                   [&](const Span<FloatNumbers<R>>& span)
+                                       ZERKALO_INLINE_LAMBDA { keep_convex(best, span, solid, from, active, t_min); });
         }
     }
     for (CandidateMask left = mirrors_in(candidates); left != 0; left &= left - 1) {
@@ -134,15 +132,15 @@ ZERKALO_INLINE void hide_anywhere(Mask<R>& visible, const Plan& plan, int j, int
         visible = visible & (!hit.hit);
     } else if (plan.lights[j].distant) {
         // Only the surface's own digits are good enough here: look from the spot towards the light.
-        with_span<Faces::none>(plan, k, PointOrigin<R>{p}, to.l, [&](const Span<FloatNumbers<R>>& span)
-                                                                    ZERKALO_INLINE_LAMBDA {
-            visible = visible & (!hidden_by_walls(span, to.distance, own, spot.inside, span.exit < to.distance));
-        });
+        with_span<Faces::none>(
+            plan, k, PointOrigin<R>{p}, to.l, [&](const Span<FloatNumbers<R>>& span) ZERKALO_INLINE_LAMBDA {
+                visible = visible & (!hidden_by_walls(span, to.distance, own, spot.inside, span.exit < to.distance));
+            });
     } else {
-        with_span<Faces::none>(plan, k, SharedOrigin{j}, -to.l, [&](const Span<FloatNumbers<R>>& span)
-                                                                   ZERKALO_INLINE_LAMBDA {
-            visible = visible & (!hidden_by_walls(span, to.distance, own, spot.inside, span.entry > R(0)));
-        });
+        with_span<Faces::none>(
+            plan, k, SharedOrigin{j}, -to.l, [&](const Span<FloatNumbers<R>>& span) ZERKALO_INLINE_LAMBDA {
+                visible = visible & (!hidden_by_walls(span, to.distance, own, spot.inside, span.entry > R(0)));
+            });
     }
 }
 

@@ -3,7 +3,7 @@
 namespace zerkalo {
 namespace {
 
-constexpr double kRoomPixels = 1;     // beyond the half pixel that an antialiased pixel reaches
+constexpr double kRoomPixels = 1;  // beyond the half pixel that an antialiased pixel reaches
 constexpr double kRoomRelative = 1e-6;
 
 /// Slopes from low to high along one image axis -> pixel interval of an image with n pixels and the given half width.
@@ -146,11 +146,23 @@ void derive_bounds(const Scene& scene, const Viewpoint& eye, Plan& plan) {
     }
 }
 
+SharedBound shared_bound(const Point& light, const SolidPlan& solid) {
+    const Point c = Point{solid.bound_centre.x, solid.bound_centre.y, solid.bound_centre.z} - light;
+    const double radius = solid.bound_radius;
+    // Room for the rounding of a unit direction and of the products, a few 2^-24 each.
+    constexpr double kRoom = 0x1p-20;
+    const double beyond = dot(c, c) * (1 - kRoom) - radius * radius * (1 + kRoom);
+    return {rounded(c), float(beyond)};
+}
+
 void derive_blockers(const Scene& scene, const Surroundings& around, Plan& plan) {
-    const std::uint64_t everything = ((std::uint64_t{1} << scene.solid_count) - 1) |
-                                     ((std::uint64_t{1} << scene.mirror_count) - 1) << kMaxSolids;
+    const std::uint64_t everything =
+        ((std::uint64_t{1} << scene.solid_count) - 1) | ((std::uint64_t{1} << scene.mirror_count) - 1) << kMaxSolids;
     for (std::int32_t j = 0; j < scene.light_count; ++j) {
         const Point& light = scene.lights[j].position;
+        for (std::int32_t k = 0; k < scene.solid_count; ++k) {
+            plan.shared_bounds[j][k] = shared_bound(light, plan.solids[k]);
+        }
         for (std::int32_t k = 0; k < scene.solid_count; ++k) {
             std::uint64_t& mask = plan.blockers_of_solid[k].of_light[j];
             mask = plan.exact_plan ? everything : blockers_between(scene, around, light, around.solids[k]);

@@ -12,15 +12,17 @@ struct IsaRow {
 };
 
 #if defined(__x86_64__)
-constexpr IsaRow kRows[kIsaCount] = {{"scalar", 1, &kKernels_scalar}, {"sse2", 4, &kKernels_sse2},
-                                     {"sse4.2", 4, &kKernels_sse4_2}, {"avx2", 8, &kKernels_avx2},
+constexpr IsaRow kRows[kIsaCount] = {{"scalar", 1, &kKernels_scalar},  {"sse2", 4, &kKernels_sse2},
+                                     {"sse4.2", 4, &kKernels_sse4_2},  {"avx2", 8, &kKernels_avx2},
                                      {"avx512", 16, &kKernels_avx512}, {"neon", 4, nullptr}};
 #elif defined(__aarch64__)
-constexpr IsaRow kRows[kIsaCount] = {{"scalar", 1, &kKernels_scalar}, {"sse2", 4, nullptr}, {"sse4.2", 4, nullptr},
-                                     {"avx2", 8, nullptr}, {"avx512", 16, nullptr}, {"neon", 4, &kKernels_neon}};
+constexpr IsaRow kRows[kIsaCount] = {{"scalar", 1, &kKernels_scalar}, {"sse2", 4, nullptr},
+                                     {"sse4.2", 4, nullptr},          {"avx2", 8, nullptr},
+                                     {"avx512", 16, nullptr},         {"neon", 4, &kKernels_neon}};
 #else
-constexpr IsaRow kRows[kIsaCount] = {{"scalar", 1, &kKernels_scalar}, {"sse2", 4, nullptr}, {"sse4.2", 4, nullptr},
-                                     {"avx2", 8, nullptr}, {"avx512", 16, nullptr}, {"neon", 4, nullptr}};
+constexpr IsaRow kRows[kIsaCount] = {{"scalar", 1, &kKernels_scalar}, {"sse2", 4, nullptr},
+                                     {"sse4.2", 4, nullptr},          {"avx2", 8, nullptr},
+                                     {"avx512", 16, nullptr},         {"neon", 4, nullptr}};
 #endif
 
 const IsaRow& row_of(Isa isa) { return kRows[static_cast<int>(isa)]; }
@@ -33,11 +35,21 @@ struct FeatureName {
     const char* name;
 };
 constexpr FeatureName kFeatureNames[] = {
-    {kFeatureSphere, "sphere"},      {kFeatureHalfSpaces, "half_spaces"}, {kFeatureTube, "tube"},
-    {kFeatureMesh, "mesh"},          {kFeatureMirror, "mirror"},          {kFeatureGlossy, "glossy"},
-    {kFeatureMaxPhong, "max_phong"}, {kFeatureCurved, "curved_mirror"},   {kFeatureChain, "chain"},
-    {kFeatureBranch, "branch"},      {kFeatureShadow, "shadow"},          {kFeatureFalloff, "inverse_square"},
-    {kFeatureFar, "far"},            {kFeatureInside, "inside"},          {kFeatureAntialias, "antialias"},
+    {kFeatureSphere, "sphere"},
+    {kFeatureHalfSpaces, "half_spaces"},
+    {kFeatureTube, "tube"},
+    {kFeatureMesh, "mesh"},
+    {kFeatureMirror, "mirror"},
+    {kFeatureGlossy, "glossy"},
+    {kFeatureMaxPhong, "max_phong"},
+    {kFeatureCurved, "curved_mirror"},
+    {kFeatureChain, "chain"},
+    {kFeatureBranch, "branch"},
+    {kFeatureShadow, "shadow"},
+    {kFeatureFalloff, "inverse_square"},
+    {kFeatureFar, "far"},
+    {kFeatureInside, "inside"},
+    {kFeatureAntialias, "antialias"},
 };
 
 std::int32_t tiles_across(const Plan& plan) { return (plan.width + kTileSide - 1) / kTileSide; }

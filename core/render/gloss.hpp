@@ -3,9 +3,9 @@
 //     I = background W + (1/N) sum over lattice rays i that meet a solid of  w_i (L_i - background)
 //
 // with w_i the lobe's weight and W their mean: 1 for the seed's Phong lobe (rays below the horizon see the background),
-// min(1, cos_i / cos_o) for max-Phong. Where no ray can meet a solid the sum is empty: the answer is exact without a ray.
-// Pixels that do need rays wait in a queue, so that packets are full; the lattice is computed once a tile.
-// Source of max-Phong: Neumann, Neumann, Szirmay-Kalos, "Compact Metallic Reflectance Models", CGF 18(3), 1999.
+// min(1, cos_i / cos_o) for max-Phong. Where no ray can meet a solid the sum is empty: the answer is exact without a
+// ray. Pixels that do need rays wait in a queue, so that packets are full; the lattice is computed once a tile. Source
+// of max-Phong: Neumann, Neumann, Szirmay-Kalos, "Compact Metallic Reflectance Models", CGF 18(3), 1999.
 #pragma once
 
 #include "core/render/lobe_aim.hpp"
@@ -13,51 +13,59 @@
 
 namespace zerkalo::inline ZERKALO_ISA {
 
-
 constexpr int kClassPixels = kTilePixels / kLatticeClasses;  // each block of 2x2 pixels has one of each
 
-/// Mirror points of one lattice class that wait for their lobe rays, one entry a pixel.
+/// What the pixels of a tile see at the mirror: the point and the mirror direction, by pixel.
+struct GlossPoints {
+    alignas(64) float px[kTilePixels], py[kTilePixels], pz[kTilePixels];
+    alignas(64) float mx[kTilePixels], my[kTilePixels], mz[kTilePixels];
+};
+
+/// Pixels of one lattice class that wait for their lobe rays, and the sums of these.
 struct GlossQueue {
-    alignas(64) float px[kClassPixels], py[kClassPixels], pz[kClassPixels];
-    alignas(64) float mx[kClassPixels], my[kClassPixels], mz[kClassPixels];
     alignas(64) float r[kClassPixels], g[kClassPixels], b[kClassPixels];
     alignas(64) float weight[kClassPixels];
-    std::uint8_t slot[kClassPixels];
+    std::uint8_t pixel[kClassPixels];
     std::int32_t count = 0;
 };
 
 /// The queues of a tile, and the hash that sorts its pixels into them.
 struct GlossQueues {
+    GlossPoints points;
     GlossQueue of_class[kLatticeClasses];
     std::uint32_t tile_hash;
 };
 
-/// Appends the lanes of the mask: point, mirror direction, pixel of the tile.
+/// Notes the packet's points and lets the lanes of the mask wait.
 template <class R>
 ZERKALO_INLINE void enqueue(GlossQueues& queues, Mask<R> mask, Vec3<R> p, Vec3<R> m, int first) {
-    alignas(64) float lanes[6][kWidth<R>];
-    store(lanes[0], p.x), store(lanes[1], p.y), store(lanes[2], p.z);
-    store(lanes[3], m.x), store(lanes[4], m.y), store(lanes[5], m.z);
+    GlossPoints& points = queues.points;
+    store(points.px + first, p.x), store(points.py + first, p.y), store(points.pz + first, p.z);
+    store(points.mx + first, m.x), store(points.my + first, m.y), store(points.mz + first, m.z);
     for (std::uint32_t bits = bits_of(mask); bits != 0; bits &= bits - 1) {
-        const int lane = __builtin_ctz(bits);
-        const int slot = first + lane;
-        GlossQueue& queue = queues.of_class[lattice_class(queues.tile_hash, slot % kTileSide, slot / kTileSide)];
-        const std::int32_t at = queue.count++;
-        queue.px[at] = lanes[0][lane], queue.py[at] = lanes[1][lane], queue.pz[at] = lanes[2][lane];
-        queue.mx[at] = lanes[3][lane], queue.my[at] = lanes[4][lane], queue.mz[at] = lanes[5][lane];
-        queue.slot[at] = static_cast<std::uint8_t>(slot);
+        const int pixel = first + __builtin_ctz(bits);
+        GlossQueue& queue = queues.of_class[lattice_class(queues.tile_hash, pixel)];
+        queue.pixel[queue.count++] = static_cast<std::uint8_t>(pixel);
     }
 }
 
 /// Fills the last packet with copies of the last entry and clears the sums.
-ZERKALO_INLINE void close_queue(GlossQueue& queue, int width) {
-    const std::int32_t last = queue.count - 1;
-    const std::int32_t padded = (queue.count + width - 1) / width * width;
-    for (std::int32_t at = queue.count; at < padded; ++at) {
-        queue.px[at] = queue.px[last], queue.py[at] = queue.py[last], queue.pz[at] = queue.pz[last];
-        queue.mx[at] = queue.mx[last], queue.my[at] = queue.my[last], queue.mz[at] = queue.mz[last];
+template <class R>
+ZERKALO_INLINE void close_queue(GlossQueue& queue) {
+    std::int32_t padded = queue.count;
+    for (; padded % kWidth<R> != 0; ++padded) queue.pixel[padded] = queue.pixel[queue.count - 1];
+    for (std::int32_t at = 0; at < padded; at += kWidth<R>) {
+        store(queue.r + at, R(0)), store(queue.g + at, R(0)), store(queue.b + at, R(0));
+        store(queue.weight + at, R(0));
     }
-    for (std::int32_t at = 0; at < padded; ++at) queue.r[at] = queue.g[at] = queue.b[at] = queue.weight[at] = 0;
+}
+
+/// The values of `source` at the pixels of one packet.
+template <class R>
+ZERKALO_INLINE R gather(const float* source, const std::uint8_t* pixels) {
+    alignas(64) float lanes[kWidth<R>];
+    for (int lane = 0; lane < kWidth<R>; ++lane) lanes[lane] = source[pixels[lane]];
+    return load<R>(lanes);
 }
 
 /// Cosine of ray s against the mirror's normal.
@@ -68,14 +76,16 @@ ZERKALO_INLINE R ray_cosine(const LobeFrame<R>& frame, const LatticeChunk& chunk
 
 /// The lobe rays of one packet for one chunk of the lattice: adds to the queue's sums.
 template <class R>
-ZERKALO_INLINE void shoot_chunk(const Plan& plan, const LobeData& lobe, const LatticeChunk& chunk, Vec3<float> normal,
-                                float turn, GlossQueue& queue, std::int32_t at, TileCounts& counts) {
+ZERKALO_INLINE void shoot_chunk(const Plan& plan, const LobeData& lobe, CandidateMask candidates,
+                                const LatticeChunk& chunk, Vec3<float> normal, float turn, const GlossPoints& points,
+                                GlossQueue& queue, std::int32_t at, TileCounts& counts) {
     const auto active = load<R>(kLaneNumbers.real) < R(float(queue.count - at));
-    const Vec3<R> p{load<R>(queue.px + at), load<R>(queue.py + at), load<R>(queue.pz + at)};
-    const Vec3<R> m{load<R>(queue.mx + at), load<R>(queue.my + at), load<R>(queue.mz + at)};
+    const std::uint8_t* pixels = queue.pixel + at;
+    const Vec3<R> p{gather<R>(points.px, pixels), gather<R>(points.py, pixels), gather<R>(points.pz, pixels)};
+    const Vec3<R> m{gather<R>(points.mx, pixels), gather<R>(points.my, pixels), gather<R>(points.mz, pixels)};
     const LobeFrame<R> frame = lobe_frame(m, turn, spread<R>(normal));
     LobeAim<R> aim;
-    aim_lobe(aim, plan, lobe, chunk, frame, p, active);
+    aim_lobe(aim, plan, lobe, candidates, chunk, frame, p, active);
     counts.lobe += count_of(active) * static_cast<std::uint32_t>(chunk.count);
     const bool weighted = lobe.max_phong;
     const bool dips = weighted || any(frame.m_n <= R(lobe.widest_sine));
@@ -112,28 +122,35 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const LobeData& lobe, const La
 }
 
 /// Adds F K_r I to the colours of a class of pixels whose lobe rays are all in.
+template <class R>
 ZERKALO_INLINE void settle(GlossQueue& queue, const Plan& plan, const MirrorPlan& mirror, TileColours& colours) {
-    const float samples = float(plan.samples);
-    const Rgb<float> background = plan.background;
+    const R samples = R(float(plan.samples));
+    const Rgb<R> background = spread<R>(plan.background);
+    for (std::int32_t at = 0; at < queue.count; at += kWidth<R>) {
+        const R weight = mirror.lobe.max_phong ? load<R>(queue.weight + at) / samples : R(1);
+        const Rgb<R> mean{load<R>(queue.r + at) / samples, load<R>(queue.g + at) / samples,
+                          load<R>(queue.b + at) / samples};
+        const Rgb<R> seen = spread<R>(mirror.reflectance) * (scaled(background, weight) + mean);
+        store(queue.r + at, seen.r), store(queue.g + at, seen.g), store(queue.b + at, seen.b);
+    }
     for (std::int32_t at = 0; at < queue.count; ++at) {
-        const float weight = mirror.lobe.max_phong ? queue.weight[at] / samples : 1.0f;
-        const int slot = queue.slot[at];
-        colours.r[slot] += mirror.reflectance.r * (background.r * weight + queue.r[at] / samples);
-        colours.g[slot] += mirror.reflectance.g * (background.g * weight + queue.g[at] / samples);
-        colours.b[slot] += mirror.reflectance.b * (background.b * weight + queue.b[at] / samples);
+        const int pixel = queue.pixel[at];
+        colours.r[pixel] += queue.r[at];
+        colours.g[pixel] += queue.g[at];
+        colours.b[pixel] += queue.b[at];
     }
     queue.count = 0;
 }
 
 /// Traces all waiting pixels of camera sample `sample` and adds what they see in the mirror to their colours.
 template <class R>
-ZERKALO_INLINE void flush(GlossQueues& queues, const Plan& plan, const MirrorPlan& mirror, std::uint32_t sample,
-                          TileColours& colours, TileCounts& counts) {
+ZERKALO_INLINE void flush(GlossQueues& queues, const Plan& plan, const MirrorPlan& mirror, CandidateMask candidates,
+                          std::uint32_t sample, TileColours& colours, TileCounts& counts) {
     std::int32_t waiting = 0;
     for (const GlossQueue& queue : queues.of_class) waiting += queue.count;
     if (waiting == 0) return;
     for (GlossQueue& queue : queues.of_class) {
-        if (queue.count > 0) close_queue(queue, kWidth<R>);
+        if (queue.count > 0) close_queue<R>(queue);
     }
     LatticeChunk chunk;
     for (std::int32_t first = 0; first < plan.samples; first += kChunk) {
@@ -142,11 +159,12 @@ ZERKALO_INLINE void flush(GlossQueues& queues, const Plan& plan, const MirrorPla
             GlossQueue& queue = queues.of_class[c];
             const float turn = turn_of_class(c, sample, 0);
             for (std::int32_t at = 0; at < queue.count; at += kWidth<R>) {
-                shoot_chunk<R>(plan, mirror.lobe, chunk, mirror.shape.n, turn, queue, at, counts);
+                shoot_chunk<R>(plan, mirror.lobe, candidates, chunk, mirror.shape.n, turn, queues.points, queue, at,
+                               counts);
             }
         }
     }
-    for (GlossQueue& queue : queues.of_class) settle(queue, plan, mirror, colours);
+    for (GlossQueue& queue : queues.of_class) settle<R>(queue, plan, mirror, colours);
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

@@ -1,4 +1,5 @@
-// Compiled once for each instruction set: ZERKALO_ISA names its namespace, ZERKALO_TABLE its table, ZERKALO_WIDTH its lanes.
+// Compiled once for each instruction set: ZERKALO_ISA names its namespace, ZERKALO_TABLE its table, ZERKALO_WIDTH its
+// lanes.
 #include "core/render/kernel.hpp"
 
 #include "core/render/general.hpp"

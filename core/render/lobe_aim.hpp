@@ -1,12 +1,10 @@
 // A packet of mirror points and the solids that its lobe rays can meet: which rays, which lanes, and every term of the
 // intersections that the origin alone determines.
 //
-// The packet's lanes lie side by side and share the lattice, so one ball in the lobe's frame holds a solid as all lanes
-// see it. A lattice ray that passes this ball passes the solid in every lane; rays are tested against it in lanes.
+// Which rays: render/lobe_reach.hpp.
 #pragma once
 
-#include "core/render/lattice_chunk.hpp"
-#include "core/render/visibility.hpp"
+#include "core/render/lobe_reach.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
 
@@ -16,8 +14,9 @@ template <class R>
 struct LobeCandidate {
     std::uint64_t reach;  // bit s: ray s of the chunk may meet the solid in some lane
     Mask<R> allowed;      // lanes whose whole lobe may meet it
+    const SolidPlan* solid;
+    const R* terms;  // its origin terms, or null
     std::int32_t k;
-    const R* terms;       // its origin terms, or null
 };
 
 template <class R>
@@ -28,22 +27,6 @@ struct LobeAim {
     R terms[kHoistedTerms];
 };
 
-/// The lobe's frame at each mirror point, turned by its class, and its rows against the mirror's normal.
-template <class R>
-struct LobeFrame {
-    Vec3<R> m, t, b;
-    R m_n, t_n, b_n;
-};
-
-template <class R>
-ZERKALO_INLINE LobeFrame<R> lobe_frame(Vec3<R> m, float turn, Vec3<R> n) {
-    const Tangents<R> base = tangents_of(m);
-    const SineCosine<float> phase = sincos_turn(turn);
-    const Vec3<R> t = base.t * phase.cosine + base.b * phase.sine;
-    const Vec3<R> b = base.b * phase.cosine - base.t * phase.sine;
-    return {m, t, b, dot(m, n), dot(t, n), dot(b, n)};
-}
-
 /// Can the cone of directions about m (half-angle of the lobe) meet the solid's bounding sphere?
 /// The sphere's signed distance to the cone's side is  across cos - along sin;  compared squared, without a root.
 template <class R>
@@ -53,30 +36,6 @@ ZERKALO_INLINE Mask<R> lobe_may_meet(const SolidPlan& solid, const LobeData& lob
     const Vec3<R> across = f - m * along;
     const R reach = R(solid.bound_radius) + along * R(lobe.sine);
     return (reach >= R(0)) & (dot(across, across) * R(lobe.cosine * lobe.cosine) <= reach * reach);
-}
-
-/// Which rays of the chunk come near the solid in any lane. Conservative.
-template <class R>
-ZERKALO_INLINE std::uint64_t reach_of_chunk(const SolidPlan& solid, const LatticeChunk& chunk,
-                                            const LobeFrame<R>& frame, Vec3<R> p) {
-    // The bounding ball's centre in each lane's frame; the first lane's, widened by how far the others stray from it.
-    const Vec3<R> f = solid.bound_centre - p;
-    const Vec3<R> in_frame{dot(f, frame.t), dot(f, frame.b), dot(f, frame.m)};
-    const Vec3<float> c{first_lane(in_frame.x), first_lane(in_frame.y), first_lane(in_frame.z)};
-    const Vec3<R> stray = in_frame - c;
-    const float radius = solid.bound_radius + sqrt(largest_lane(dot(stray, stray)));
-    // A ray w passes the ball if c.w <= 0 or (c.w)^2 < |c|^2 - radius^2, with room for rounding.
-    constexpr float kRoom = 0x1p-16f;
-    const float beyond = dot(c, c) * (1 - kRoom) - radius * radius * (1 + kRoom);
-    if (!(beyond > 0)) return ~std::uint64_t{0};
-    std::uint64_t reach = 0;
-    for (std::int32_t s = 0; s < chunk.count; s += kWidth<R>) {
-        const R along = load<R>(chunk.side + s) * R(c.x) + load<R>(chunk.up + s) * R(c.y) +
-                        load<R>(chunk.forward + s) * R(c.z);
-        const auto near = (along > R(0)) & (along * along >= R(beyond));
-        reach |= static_cast<std::uint64_t>(bits_of(near)) << s;
-    }
-    return reach;
 }
 
 template <class R>
@@ -105,25 +64,28 @@ ZERKALO_INLINE void hoist(R* terms, const Plan& plan, const SolidPlan& solid, Ve
 
 /// Chooses the candidates of a packet for one chunk of the lattice and hoists their terms.
 template <class R>
-ZERKALO_INLINE void aim_lobe(LobeAim<R>& aim, const Plan& plan, const LobeData& lobe, const LatticeChunk& chunk,
-                             const LobeFrame<R>& frame, Vec3<R> p, Mask<R> active) {
+ZERKALO_INLINE void aim_lobe(LobeAim<R>& aim, const Plan& plan, const LobeData& lobe, CandidateMask candidates,
+                             const LatticeChunk& chunk, const LobeFrame<R>& frame, Vec3<R> p, Mask<R> active) {
     aim.count = 0;
     aim.reach = 0;
     int used = 0;
-    for (std::int32_t k = 0; k < plan.solid_count; ++k) {
+    const LobePilot pilot = pilot_of(frame, p);
+    for (CandidateMask left = candidates; left != 0; left &= left - 1) {
+        const int k = first_of(left);
         const SolidPlan& solid = plan.solids[k];
         Mask<R> allowed = active;
         std::uint64_t reach = ~std::uint64_t{0};
         if (!plan.exact_plan) {
             allowed = active & lobe_may_meet(solid, lobe, p, frame.m);
             if (none(allowed)) continue;
-            reach = reach_of_chunk(solid, chunk, frame, p);
+            reach = reach_of_chunk(plan, solid, chunk, pilot, frame, p);
         }
         if (reach == 0) continue;
         aim.reach |= reach;
         LobeCandidate<R>& candidate = aim.candidates[aim.count++];
         candidate.reach = reach;
         candidate.allowed = allowed;
+        candidate.solid = &solid;
         candidate.k = k;
         candidate.terms = nullptr;
         const int count = hoisted_terms<R>(solid);
@@ -163,7 +125,7 @@ ZERKALO_INLINE Nearest<R> nearest_in_lobe(const Plan& plan, const LobeAim<R>& ai
     for (std::int32_t c = 0; c < aim.count; ++c) {
         const LobeCandidate<R>& candidate = aim.candidates[c];
         if (!(candidate.reach >> s & 1)) continue;
-        const SolidPlan& solid = plan.solids[candidate.k];
+        const SolidPlan& solid = *candidate.solid;
         asked |= CandidateMask{1} << candidate.k;
         const auto use = [&](const Span<FloatNumbers<R>>& span) ZERKALO_INLINE_LAMBDA {
             keep_nearer(best, span, solid, (span.entry <= span.exit) & candidate.allowed);

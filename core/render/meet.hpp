@@ -53,8 +53,8 @@ ZERKALO_INLINE auto mirror_origin(const Plan& plan, int m, const PointOrigin<R>&
 }
 
 template <Faces F, class R>
-ZERKALO_INLINE Span<FloatNumbers<R>> half_spaces_span(const Plan& plan, const HalfSpacesData& body,
-                                                      SharedOrigin origin, Vec3<R> d) {
+ZERKALO_INLINE Span<FloatNumbers<R>> half_spaces_span(const Plan& plan, const HalfSpacesData& body, SharedOrigin origin,
+                                                      Vec3<R> d) {
     Span<FloatNumbers<R>> span = whole_span<FloatNumbers<R>>();
     const SharedSlab* shared = plan.shared_slabs[origin.index] + body.first_slab;
     const Slab* slabs = plan.slabs + body.first_slab;
@@ -96,7 +96,8 @@ ZERKALO_INLINE void with_span(const Plan& plan, int k, const O& origin, Vec3<R> 
 
 /// The nearest crossing of a mirror of either form with t > t_min. `local_o`: mirror_seen_from(origin).
 template <class R, class O>
-ZERKALO_INLINE MirrorHit<FloatNumbers<R>> plane_or_curved(const MirrorPlan& mirror, Vec3<O> local_o, Vec3<R> d, R t_min) {
+ZERKALO_INLINE MirrorHit<FloatNumbers<R>> plane_or_curved(const MirrorPlan& mirror, Vec3<O> local_o, Vec3<R> d,
+                                                          R t_min) {
     using N = FloatNumbers<R>;
     MirrorHit<N> hit;
     if (mirror.curved) {
@@ -115,9 +116,9 @@ ZERKALO_INLINE bool may_meet(const SolidPlan& solid, Vec3<R> o, Vec3<R> d, Mask<
     return any(active & (dot(l, l) <= R(solid.bound_radius * solid.bound_radius)));
 }
 
-/// Unit normal at a point of solid k, turned against d (towards where the ray comes from).
+/// Unit normal at a point of solid k, turned against d (towards where the ray comes from), in the lanes of `here`.
 template <class R>
-ZERKALO_INLINE Vec3<R> normal_towards(const Plan& plan, int k, Vec3<R> p, R face, Vec3<R> d) {
+ZERKALO_INLINE Vec3<R> normal_towards(const Plan& plan, int k, Vec3<R> p, R face, Vec3<R> d, Mask<R> here) {
     const SolidPlan& solid = plan.solids[k];
     Vec3<R> n = spread<R>(Vec3<float>{0, 1, 0});
     if (solid.shape == ShapeKind::sphere) {
@@ -127,12 +128,14 @@ ZERKALO_INLINE Vec3<R> normal_towards(const Plan& plan, int k, Vec3<R> p, R face
     } else if (solid.shape == ShapeKind::half_spaces) {
         const Slab* slabs = plan.slabs + solid.half_spaces.first_slab;
         for (std::int32_t s = 0; s < solid.half_spaces.slab_count; ++s) {
-            n = select(face == R(slabs[s].index), spread<R>(slabs[s].n), n);
+            const auto on_face = here & (face == R(slabs[s].index));
+            if (any(on_face)) n = select(on_face, spread<R>(slabs[s].n), n);
         }
     } else {
         const TriangleData* triangles = plan.triangles + solid.mesh.first;
         for (std::int32_t s = 0; s < solid.mesh.count; ++s) {
-            n = select(face == R(float(s)), spread<R>(triangles[s].normal), n);
+            const auto on_face = here & (face == R(float(s)));
+            if (any(on_face)) n = select(on_face, spread<R>(triangles[s].normal), n);
         }
     }
     const R along = dot(n, d);

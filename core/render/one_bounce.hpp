@@ -6,6 +6,8 @@
 #pragma once
 
 #include "core/render/gloss.hpp"
+#include "core/render/lobe_tile.hpp"
+#include "core/render/render.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
 
@@ -32,9 +34,9 @@ ZERKALO_INLINE Rgb<R> queue_gloss(const Plan& plan, const TileView& view, const 
     auto waiting = spot.active & Mask<R>(plan.exact_plan || weigh_all);
     if (none(waiting)) {
         for (CandidateMask left = view.in_lobe; left != 0; left &= left - 1) {
-            waiting = waiting | lobe_may_meet(plan.solids[first_of(left)], lobe, spot.p, m);
+            waiting = waiting | (spot.active & lobe_may_meet(plan.solids[first_of(left)], lobe, spot.p, m));
+            if (none((!waiting) & spot.active)) break;
         }
-        waiting = waiting & spot.active;
     }
     if (any(waiting)) enqueue(queues, waiting, spot.p, m, first);
     return select(waiting, spread<R>(Rgb<float>{0, 0, 0}), spread<R>(background));
@@ -83,12 +85,13 @@ template <class R, bool Glossy>
 inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
     counts.primary += static_cast<std::uint64_t>(tile.width) * static_cast<std::uint64_t>(tile.height) *
                       static_cast<std::uint64_t>(plan.antialias);
-    const TileView view = view_of_tile(plan, tile);
+    TileView view = view_of_tile(plan, tile);
     if (view.seen == 0) return fill_tile(plan.background, tile, image);
     TileColours colours;
     TileCounts tile_counts;
     GlossQueues queues;
     queues.tile_hash = tile_hash(plan, tile);
+    if (Glossy && mirrors_in(view.seen) != 0) view.in_lobe = candidates_of_tile(plan, tile);
     const R right_edge = R(float(tile.left + tile.width));
     for (std::int32_t a = 0; a < plan.antialias; ++a) {
         const SubPixel at = sub_pixel(a, plan.antialias);
@@ -99,7 +102,8 @@ inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const Lin
             const Rgb<R> light = packet_light<Glossy>(plan, view, pixel, at, active, first, queues, tile_counts);
             put(colours, first, light, a > 0);
         }
-        if constexpr (Glossy) flush<R>(queues, plan, plan.mirrors[0], static_cast<std::uint32_t>(a), colours, tile_counts);
+        if constexpr (Glossy)
+            flush<R>(queues, plan, plan.mirrors[0], view.in_lobe, static_cast<std::uint32_t>(a), colours, tile_counts);
     }
     write_tile(colours, tile, plan.antialias, image);
     counts.reflected += tile_counts.reflected;

@@ -1,9 +1,9 @@
 // Which pixels a packet holds, the camera rays through them, and the per-pixel phase of the lobe lattice.
 #pragma once
 
+#include "core/geometry/algebra.hpp"
 #include "core/optics/lattice.hpp"
 #include "core/render/plan.hpp"
-#include "core/geometry/algebra.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
 

@@ -18,19 +18,19 @@ constexpr int kCameraOrigin = kMaxLights;
 
 /// What a frame uses. A kernel that lacks a feature contains no code for it.
 enum Feature : std::uint32_t {
-    kFeatureMirror = 1u << 0,      // a front that reflects
-    kFeatureGlossy = 1u << 1,      // an unpolished one
-    kFeatureChain = 1u << 2,       // more than one bounce: several or hollow mirrors, reflecting or transparent solids
-    kFeatureBranch = 1u << 3,      // a surface that both reflects and refracts
-    kFeatureCurved = 1u << 4,      // a spherical mirror
+    kFeatureMirror = 1u << 0,  // a front that reflects
+    kFeatureGlossy = 1u << 1,  // an unpolished one
+    kFeatureChain = 1u << 2,   // more than one bounce: several or hollow mirrors, reflecting or transparent solids
+    kFeatureBranch = 1u << 3,  // a surface that both reflects and refracts
+    kFeatureCurved = 1u << 4,  // a spherical mirror
     kFeatureMesh = 1u << 5,
-    kFeatureFar = 1u << 6,         // a camera or a light too far away for its position to be a float origin
-    kFeatureInside = 1u << 7,      // the camera is inside a solid or nearly so
+    kFeatureFar = 1u << 6,     // a camera or a light too far away for its position to be a float origin
+    kFeatureInside = 1u << 7,  // the camera or a light is inside a solid, or nearly so
     kFeatureSphere = 1u << 8,
     kFeatureHalfSpaces = 1u << 9,
     kFeatureTube = 1u << 10,
     kFeatureFalloff = 1u << 11,
-    kFeatureShadow = 1u << 12,     // lights and something to cast a shadow
+    kFeatureShadow = 1u << 12,  // lights and something to cast a shadow
     kFeatureMaxPhong = 1u << 13,
     kFeatureAntialias = 1u << 14,
 };
@@ -61,7 +61,8 @@ struct MirrorPlan {
 };
 
 /// Camera ray of pixel (i, j): direction view + step_x (2 i + 1 - W) + step_y (H - 2 j - 1), before normalising.
-/// A far camera's rays start on the plane through the scene's centre: origin + origin_step * (...), t > -pull |direction|.
+/// A far camera's rays start on the plane through the scene's centre: origin + origin_step * (...), t > -pull
+/// |direction|.
 struct CameraPlan {
     Vec3<float> origin, view, step_x, step_y;
     Vec3<float> origin_step_x, origin_step_y;
@@ -75,6 +76,13 @@ struct SharedSlab {
 struct SharedSolid {
     Vec3<float> from;
     float c;
+};
+
+/// A solid's bounding sphere as a light sees it: its centre from there, and |centre|^2 - radius^2 with room for
+/// rounding.
+struct SharedBound {
+    Vec3<float> centre;
+    float beyond;
 };
 
 /// Pixels that a projection can touch: left <= x < right, top <= y < bottom.
@@ -102,6 +110,7 @@ struct Plan {
     SharedSlab shared_slabs[kMaxOrigins][kMaxSlabs];
     SharedSolid shared_solids[kMaxOrigins][kMaxSolids];
     Vec3<float> shared_mirrors[kMaxOrigins][kMaxMirrors];
+    SharedBound shared_bounds[kMaxLights][kMaxSolids];
     TriangleData triangles[kMaxTriangles];
 
     // Culling. Bit k of a mask is solid k, bit kMaxSolids + k is mirror k.

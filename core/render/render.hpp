@@ -1,9 +1,9 @@
 // The one public header of the renderer: prepare a plan once, then render its tiles in any order, on any thread.
 //
-//     Plan plan;                                        // caller's memory, about 100 KB
-//     Status status = prepare(scene, settings, plan);   // checks, constants, chosen features
-//     const Kernel kernel = kernel_for(plan, best_isa());
-//     for (each tile of tiles_of(plan)) kernel.render(plan, tile, image, counts);
+//     Plan plan;                                              // caller's memory, about 250 KB
+//     const Status status = prepare(scene, settings, plan);   // checks, constants, chosen features
+//     const TileFunction render_tile = kernel_for(plan, best_isa());
+//     for (int i = 0; i < tile_count(plan); ++i) render_tile(plan, tile_at(plan, i), image, counts);
 #pragma once
 
 #include "core/image/image_view.hpp"

@@ -49,7 +49,7 @@ ZERKALO_INLINE Rgb<R> solid_light(const Plan& plan, CandidateMask candidates, co
         const SolidPlan& solid = plan.solids[k];
         const auto here = active & (near.id == R(solid.id));
         if (none(here)) continue;
-        const Spot<R> spot{p, normal_towards(plan, k, p, near.face, d), d, R(solid.id), Mask<R>(here)};
+        const Spot<R> spot{p, normal_towards(plan, k, p, near.face, d, Mask<R>(here)), d, R(solid.id), Mask<R>(here)};
         const Rgb<R> own = local_light(plan, spot, solid.surface, plan.blockers_of_solid[k], counts);
         light.r = select(here, own.r, light.r);
         light.g = select(here, own.g, light.g);

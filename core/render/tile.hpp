@@ -10,7 +10,7 @@ namespace zerkalo::inline ZERKALO_ISA {
 struct TileView {
     CandidateMask seen;        // by camera rays
     CandidateMask in_mirror;   // solids whose images a camera ray can meet in the only, plane mirror
-    CandidateMask in_lobe;     // the same for its lobe rays
+    CandidateMask in_lobe;     // the same for its lobe rays; filled in by the glossy kernel
     Blockers mirror_blockers;  // that can shade the visible part of that mirror
 };
 
@@ -33,10 +33,10 @@ ZERKALO_INLINE TileView view_of_tile(const Plan& plan, const Rect& tile) {
     view.in_lobe = 0;
     if (mirrors == 0) return view;
     view.in_mirror = overlapping(plan.image_bounds, plan.solid_count, tile);
-    view.in_lobe = (CandidateMask{1} << plan.solid_count) - 1;
     for (std::int32_t j = 0; j < plan.light_count; ++j) {
         const CandidateMask shadows = overlapping(plan.shadow_bounds[j], plan.solid_count, tile);
-        view.mirror_blockers.of_light[j] = plan.blockers_of_mirror[0].of_light[j] & (shadows | ~CandidateMask{0xffffffffu});
+        view.mirror_blockers.of_light[j] =
+            plan.blockers_of_mirror[0].of_light[j] & (shadows | ~CandidateMask{0xffffffffu});
     }
     return view;
 }

@@ -56,9 +56,9 @@ struct Continuations {
 };
 
 template <class R>
-ZERKALO_INLINE Rgb<R> local_light_anywhere(const Plan& plan, Vec3<R> p, Vec3<R> n, Vec3<R> d, const Departure<R>& spot,
-                                           Mask<R> active, const SurfaceData& surface, const Blockers& blockers,
-                                           CandidateMask own, TileCounts& counts) {
+ZERKALO_ONCE Rgb<R> local_light_anywhere(const Plan& plan, Vec3<R> p, Vec3<R> n, Vec3<R> d, const Departure<R>& spot,
+                                         Mask<R> active, const SurfaceData& surface, const Blockers& blockers,
+                                         CandidateMask own, TileCounts& counts) {
     Rgb<R> sum = spread<R>(surface.ambient);
     for (std::int32_t j = 0; j < plan.light_count; ++j) {
         const ToLight<R> to = towards(plan.lights[j], p, n);
@@ -133,7 +133,7 @@ ZERKALO_INLINE void shade_solids(const Plan& plan, const PathPacket<R>& ray, con
         const auto here = ray.active & (hit.id == R(solid.id));
         if (none(here)) continue;
         const Vec3<R> p = ray.o + ray.d * hit.t;
-        const Vec3<R> n = normal_towards(plan, k, p, hit.face, ray.d);
+        const Vec3<R> n = normal_towards(plan, k, p, hit.face, ray.d, Mask<R>(here));
         const Departure<R> spot{R(solid.id), hit.face, hit.from_inside};
         const bool own_counts = solid.shape == ShapeKind::mesh || any(here & hit.from_inside);
         const CandidateMask own = own_counts ? CandidateMask{1} << k : 0;
@@ -167,8 +167,9 @@ ZERKALO_INLINE LobeRay<R> lobe_ray(const LobePoint<R>& point, Vec3<R> m, Vec3<R>
 /// A single random ray of a lobe, for unpolished mirrors behind the first: uniform in energy, from the path's key.
 template <class R>
 ZERKALO_INLINE LobePoint<R> random_lobe_point(const LobeData& lobe, const PathKey<R>& key, const PathPacket<R>& ray) {
-    const std::uint32_t place = hash_bits(key.camera_sample) ^ hash_bits(static_cast<std::uint32_t>(ray.sample) +
-                                                                         0x10000000u * static_cast<std::uint32_t>(ray.depth));
+    const std::uint32_t place =
+        hash_bits(key.camera_sample) ^
+        hash_bits(static_cast<std::uint32_t>(ray.sample) + 0x10000000u * static_cast<std::uint32_t>(ray.depth));
     const Bits<R> one = hash_bits(key.pixel ^ Bits<R>(place));
     const Bits<R> two = hash_bits(one + Bits<R>(kGoldenTurn));
     // (k + 1/2) / 2^23 lies strictly between 0 and 1.
@@ -231,8 +232,8 @@ ZERKALO_INLINE void shade_mirrors(const Plan& plan, const PathPacket<R>& ray, co
             const Mask<R> seen = side == 0 ? Mask<R>(front) : Mask<R>(here & (!front));
             if (none(seen)) continue;
             const SurfaceData& surface = side == 0 ? mirror.front : mirror.back;
-            add(sum, seen, ray.throughput, local_light_anywhere(plan, p, n, ray.d, spot, seen, surface,
-                                                                plan.blockers_of_mirror[m], 0, counts));
+            add(sum, seen, ray.throughput,
+                local_light_anywhere(plan, p, n, ray.d, spot, seen, surface, plan.blockers_of_mirror[m], 0, counts));
         }
         if (mirror.reflects && ray.depth < plan.depth_limit && any(front)) {
             continue_at_mirror(plan, ray, mirror, p, n, spot, Mask<R>(front), key, sum, next, counts);

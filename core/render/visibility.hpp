@@ -1,5 +1,5 @@
 // What a ray meets first, and whether a light is visible: the two questions of ray tracing, for packets that start
-// outside of every solid. (Rays that may start inside one, or on a surface of any kind: visibility_anywhere.hpp.)
+// outside of every solid. (Rays that may start inside one, or on a surface of any kind: anywhere.hpp.)
 //
 // No epsilon: a point on the outside of a convex solid cannot be shadowed by it, so it is left out by its identity.
 #pragma once
@@ -51,12 +51,20 @@ ZERKALO_INLINE Nearest<R> nearest_solid(const Plan& plan, CandidateMask candidat
 /// Takes away the lanes from which solid k hides light j: the span from the light lies between it and the point.
 template <class R>
 ZERKALO_INLINE void hide_by_solid(Mask<R>& visible, const Plan& plan, int j, int k, const ToLight<R>& to, R own_id) {
-    with_span<Faces::none>(plan, k, SharedOrigin{j}, -to.l, [&](const Span<FloatNumbers<R>>& span)
-                                                               ZERKALO_INLINE_LAMBDA {
-        const auto hidden = (span.entry > R(0)) & (span.entry < to.distance) & (span.entry <= span.exit) &
-                            (own_id != R(plan.solids[k].id));
-        visible = visible & (!hidden);
-    });
+    with_span<Faces::none>(plan, k, SharedOrigin{j}, -to.l,
+                           [&](const Span<FloatNumbers<R>>& span) ZERKALO_INLINE_LAMBDA {
+                               const auto hidden = (span.entry > R(0)) & (span.entry < to.distance) &
+                                                   (span.entry <= span.exit) & (own_id != R(plan.solids[k].id));
+                               visible = visible & (!hidden);
+                           });
+}
+
+/// Does any ray from the light pass the bounding sphere? Conservative. The sphere's centre is seen from the light:
+/// a unit direction w passes it only if c.w > 0 and (c.w)^2 >= |c|^2 - radius^2.
+template <class R>
+ZERKALO_INLINE bool may_shade(const SharedBound& bound, const ToLight<R>& to, Mask<R> lit) {
+    const R along = -dot(bound.centre, to.l);
+    return any(lit & (along > R(0)) & (along * along >= R(bound.beyond)));
 }
 
 /// Lanes of `lit` that see light j. `own_id`: the solid or mirror that each lane stands on.
@@ -65,13 +73,15 @@ ZERKALO_INLINE Mask<R> visible_from_outside(const Plan& plan, int j, CandidateMa
                                             R own_id, Mask<R> lit) {
     Mask<R> visible = lit;
     for (CandidateMask left = solids_in(blockers); left != 0; left &= left - 1) {
-        hide_by_solid(visible, plan, j, first_of(left), to, own_id);
+        const int k = first_of(left);
+        if (!plan.exact_plan && !may_shade(plan.shared_bounds[j][k], to, visible)) continue;
+        hide_by_solid(visible, plan, j, k, to, own_id);
         if (none(visible)) return visible;
     }
     for (CandidateMask left = mirrors_in(blockers); left != 0; left &= left - 1) {
         const int m = first_of(left);
-        const auto crossing = plane_mirror_hit<FloatNumbers<R>>(plan.mirrors[m].shape,
-                                                                mirror_origin<R>(plan, m, SharedOrigin{j}), -to.l, R(0));
+        const auto crossing = plane_mirror_hit<FloatNumbers<R>>(
+            plan.mirrors[m].shape, mirror_origin<R>(plan, m, SharedOrigin{j}), -to.l, R(0));
         const auto hidden = crossing.hit & (crossing.t < to.distance) & (own_id != R(float(kMaxSolids + m)));
         visible = visible & (!hidden);
     }

@@ -21,24 +21,24 @@ struct MirrorHit {
     Length<N> z;  // 0 on a plane
 };
 
-template <class A>
-ZERKALO_INLINE Vec3<A> in_mirror_axes(const MirrorShape& m, Vec3<A> v) {
-    return {dot(m.right, v), dot(m.v, v), dot(m.n, v)};
+template <class S, class A>
+ZERKALO_INLINE Vec3<A> in_mirror_axes(const S& m, Vec3<A> v) {
+    return {as<A>(dot(m.right, v)), as<A>(dot(m.v, v)), as<A>(dot(m.n, v))};
 }
 
 /// Origin in the mirror's frame.
-template <class N, class O>
-ZERKALO_INLINE Vec3<Length<N>> mirror_seen_from(const MirrorShape& m, Vec3<O> o) {
+template <class N, class S, class O>
+ZERKALO_INLINE Vec3<Length<N>> mirror_seen_from(const S& m, Vec3<O> o) {
     return in_mirror_axes(m, as<Length<N>>(o - m.vertex));
 }
 
 /// Plane: the one crossing with t_min < t. `from`: mirror_seen_from(origin).
-template <class N, class O, class T>
-ZERKALO_INLINE MirrorHit<N> plane_mirror_hit(const MirrorShape& m, Vec3<O> from, Vec3<Direction<N>> d, T t_min) {
+template <class N, class S, class O, class T>
+ZERKALO_INLINE MirrorHit<N> plane_mirror_hit(const S& m, Vec3<O> from, Vec3<Direction<N>> d, T t_min) {
     using L = Length<N>;
     const auto d_z = as<Direction<N>>(dot(m.n, d));
     const L t = quotient<L>(-from.z, d_z);
-    const auto ahead = t > t_min;
+    const auto ahead = ahead_of(t_min, t, t);
     if (none(ahead)) return {ahead, t, t, t, L(0)};
     const L x = from.x + as<L>(t * as<Direction<N>>(dot(m.right, d)));
     const L y = from.y + as<L>(t * as<Direction<N>>(dot(m.v, d)));
@@ -46,43 +46,46 @@ ZERKALO_INLINE MirrorHit<N> plane_mirror_hit(const MirrorShape& m, Vec3<O> from,
 }
 
 /// One root of a curved mirror, kept where it is ahead, inside the boundary and on the hemisphere at the vertex.
-template <class N, class T>
-ZERKALO_INLINE MirrorHit<N> curved_candidate(const MirrorShape& m, Vec3<Length<N>> o, Vec3<Direction<N>> d,
-                                             Length<N> along, Length<N> shift, T t_min) {
+template <class N, class S, class T>
+ZERKALO_INLINE MirrorHit<N> curved_candidate(const S& m, Vec3<Length<N>> o, Vec3<Direction<N>> d, Length<N> along,
+                                             Length<N> shift, T t_min) {
     using L = Length<N>;
+    using D = Direction<N>;
     const Vec3<L> p = o + as<L>(d * along);
     const L t = along + shift;
-    const auto exists = (t > t_min) & (as<L>(p.z * L(m.kappa)) < L(1));
-    return {MaskOf<N>(exists & inside_boundary(m.boundary, p.x, p.y)), t, p.x, p.y, p.z};
+    const auto ahead = ahead_of(t_min, t, along);
+    const auto near = as<D>(p.z * Curvature<N>(m.kappa)) < D(1);
+    return {MaskOf<N>(ahead & near & inside_boundary(m.boundary, p.x, p.y)), t, p.x, p.y, p.z};
 }
 
 /// Plane or sphere: the nearest of both crossings with t_min < t inside the boundary. `d_local`: in mirror axes.
-template <class N, class O, class T>
-ZERKALO_INLINE MirrorHit<N> curved_mirror_hit(const MirrorShape& m, Vec3<O> from, Vec3<Direction<N>> d_local, T t_min) {
+template <class N, class S, class O, class T>
+ZERKALO_INLINE MirrorHit<N> curved_mirror_hit(const S& m, Vec3<O> from, Vec3<Direction<N>> d_local, T t_min) {
     using L = Length<N>;
+    using D = Direction<N>;
     const L shift = -as<L>(dot(from, d_local));
     const Vec3<L> o = from + as<L>(d_local * shift);
-    const L kappa = L(m.kappa);
-    const L b = as<L>(kappa * as<L>(dot(o, d_local))) - L(d_local.z);
-    const L c = as<L>(kappa * as<L>(dot(o, o))) - (o.z + o.z);
-    const L disc = b * b - kappa * c;
-    const auto meets = disc >= L(0);
+    const auto kappa = Curvature<N>(m.kappa);
+    const D b = as<D>(kappa * as<L>(dot(o, d_local))) - D(d_local.z);
+    const L c = product<L>(kappa, dot(o, o)) - (o.z + o.z);
+    const auto disc = as<Square<N>>(b * b) - as<Square<N>>(kappa * c);
+    const auto meets = disc >= Square<N>(0);
     if (none(meets)) return {meets, shift, shift, shift, shift};
-    const auto roots = roots_of_quadratic<L>(kappa, b, c, max(disc, L(0)));
+    const auto roots = roots_of_quadratic<L, D>(kappa, b, c, max(disc, Square<N>(0)));
     const auto one = curved_candidate<N>(m, o, d_local, roots.near_zero, shift, t_min);
     const auto two = curved_candidate<N>(m, o, d_local, roots.other, shift, t_min);
-    const auto take_two = two.hit & ((!one.hit) | (two.t < one.t));
+    const MaskOf<N> take_two = two.hit & ((!one.hit) | (two.t < one.t));
     return {MaskOf<N>(meets & (one.hit | two.hit)), select(take_two, two.t, one.t), select(take_two, two.x, one.x),
             select(take_two, two.y, one.y), select(take_two, two.z, one.z)};
 }
 
 /// From a point of the mirror itself: C = 0, one root is the origin, the other is the chord -2 B / A. No epsilon.
-template <class N, class O, class T>
-ZERKALO_INLINE MirrorHit<N> own_chord_hit(const MirrorShape& m, Vec3<O> on_surface, Vec3<Direction<N>> d_local,
-                                          T t_min) {
+template <class N, class S, class O, class T>
+ZERKALO_INLINE MirrorHit<N> own_chord_hit(const S& m, Vec3<O> on_surface, Vec3<Direction<N>> d_local, T t_min) {
     using L = Length<N>;
-    const L kappa = L(m.kappa);
-    const L b = as<L>(kappa * as<L>(dot(on_surface, d_local))) - L(d_local.z);
+    using D = Direction<N>;
+    const auto kappa = Curvature<N>(m.kappa);
+    const D b = as<D>(kappa * as<L>(dot(on_surface, d_local))) - D(d_local.z);
     const L chord = quotient<L>(-(b + b), kappa);
     return curved_candidate<N>(m, on_surface, d_local, chord, L(0), t_min);
 }

@@ -1,0 +1,34 @@
+// The smaller and the larger of two registers of floats, lane by lane: a < b ? a : b and a > b ? a : b.
+// So b where either is NaN and where both are zeros. The x86 instructions say exactly this, with operands in this
+// order; the lane library turned its order round in version 14, and NEON's own minimum says something else.
+#pragma once
+
+#include "core/numeric/isa.hpp"
+
+#if defined(__aarch64__)
+#include <arm_neon.h>
+#else
+#include <immintrin.h>
+#endif
+
+namespace zerkalo::inline ZERKALO_ISA {
+
+#if defined(__aarch64__)
+ZERKALO_INLINE float32x4_t native_min(float32x4_t a, float32x4_t b) { return vbslq_f32(vcltq_f32(a, b), a, b); }
+ZERKALO_INLINE float32x4_t native_max(float32x4_t a, float32x4_t b) { return vbslq_f32(vcgtq_f32(a, b), a, b); }
+#endif
+#if defined(__SSE2__)
+ZERKALO_INLINE __m128 native_min(__m128 a, __m128 b) { return _mm_min_ps(a, b); }
+ZERKALO_INLINE __m128 native_max(__m128 a, __m128 b) { return _mm_max_ps(a, b); }
+#endif
+#if defined(__AVX2__)
+ZERKALO_INLINE __m256 native_min(__m256 a, __m256 b) { return _mm256_min_ps(a, b); }
+ZERKALO_INLINE __m256 native_max(__m256 a, __m256 b) { return _mm256_max_ps(a, b); }
+#endif
+#if defined(__AVX512F__)
+// With a full mask: GCC 12 warns about the plain form in its own header (bug 105593). The instruction is the same.
+ZERKALO_INLINE __m512 native_min(__m512 a, __m512 b) { return _mm512_maskz_min_ps(0xffff, a, b); }
+ZERKALO_INLINE __m512 native_max(__m512 a, __m512 b) { return _mm512_maskz_max_ps(0xffff, a, b); }
+#endif
+
+}  // namespace zerkalo::inline ZERKALO_ISA

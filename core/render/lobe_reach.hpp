@@ -1,0 +1,119 @@
+// Which lattice rays of a packet can meet a solid: decided for all its lanes at once, with rays in the lanes.
+//
+// The packet's lanes lie side by side and share the lattice. In the lobe's own frame a solid looks nearly the same from
+// each of them: from the first lane, the pilot, plus a stray delta. So a ray that passes the solid widened by delta in
+// the pilot's frame passes the solid in every lane. A ball is tried first, then the widened solid itself.
+#pragma once
+
+#include "core/render/lattice_chunk.hpp"
+#include "core/render/visibility.hpp"
+
+namespace zerkalo::inline ZERKALO_ISA {
+
+/// The lobe's frame at each mirror point, turned by its class, and its rows against the mirror's normal.
+template <class R>
+struct LobeFrame {
+    Vec3<R> m, t, b;
+    R m_n, t_n, b_n;
+};
+
+template <class R>
+ZERKALO_INLINE LobeFrame<R> lobe_frame(Vec3<R> m, float turn, Vec3<R> n) {
+    const Tangents<R> base = tangents_of(m);
+    const SineCosine<float> phase = sincos_turn(turn);
+    const Vec3<R> t = base.t * phase.cosine + base.b * phase.sine;
+    const Vec3<R> b = base.b * phase.cosine - base.t * phase.sine;
+    return {m, t, b, dot(m, n), dot(t, n), dot(b, n)};
+}
+
+template <class R>
+ZERKALO_INLINE Vec3<float> first_lane(Vec3<R> v) {
+    return {first_lane(v.x), first_lane(v.y), first_lane(v.z)};
+}
+
+template <class R>
+ZERKALO_INLINE R square(Vec3<R> v) {
+    return dot(v, v);
+}
+
+/// The first lane's point and frame, and how far the other frames turn away from it (Frobenius norm).
+struct LobePilot {
+    Vec3<float> p, m, t, b;
+    float turning;
+};
+
+template <class R>
+ZERKALO_INLINE LobePilot pilot_of(const LobeFrame<R>& frame, Vec3<R> p) {
+    LobePilot pilot{first_lane(p), first_lane(frame.m), first_lane(frame.t), first_lane(frame.b), 0};
+    pilot.turning =
+        sqrt(largest_lane(square(frame.m - pilot.m) + square(frame.t - pilot.t) + square(frame.b - pilot.b)));
+    return pilot;
+}
+
+/// Bits of the rays that pass the bounding ball, centre c in the pilot's frame: c.w > 0 and (c.w)^2 >= |c|^2 - r^2.
+template <class R>
+ZERKALO_INLINE std::uint64_t rays_near_ball(const LatticeChunk& chunk, Vec3<float> c, float radius) {
+    constexpr float kRoom = 0x1p-16f;  // far above the rounding of a few products
+    const float beyond = dot(c, c) * (1 - kRoom) - radius * radius * (1 + kRoom);
+    if (!(beyond > 0)) return ~std::uint64_t{0};
+    std::uint64_t rays = 0;
+    for (std::int32_t s = 0; s < chunk.count; s += kWidth<R>) {
+        const R along =
+            load<R>(chunk.side + s) * R(c.x) + load<R>(chunk.up + s) * R(c.y) + load<R>(chunk.forward + s) * R(c.z);
+        const auto near = (along > R(0)) & (along * along >= R(beyond));
+        rays |= static_cast<std::uint64_t>(bits_of(near)) << s;
+    }
+    return rays;
+}
+
+/// Lanes whose ray from the pilot's point passes the solid widened by `delta` on all sides.
+template <class R>
+ZERKALO_INLINE Mask<R> passes_widened(const Plan& plan, const SolidPlan& solid, const LobePilot& pilot, float delta,
+                                      Vec3<R> d) {
+    using N = FloatNumbers<R>;
+    R entry = R(0), exit = R(0);
+    if (solid.shape == ShapeKind::half_spaces) {
+        Span<N> span = whole_span<N>();
+        const Slab* slabs = plan.slabs + solid.half_spaces.first_slab;
+        const Vec3<float> o = pilot.p - solid.half_spaces.centre;
+        for (std::int32_t s = 0; s < solid.half_spaces.slab_count; ++s) {
+            const auto from = slab_seen_from<FloatNumbers<float>>(slabs[s], o);
+            clip<Faces::none>(span, slabs[s], SlabOrigin<FloatNumbers<float>>{from.lo - delta, from.hi + delta}, d);
+        }
+        entry = span.entry, exit = span.exit;
+    } else {
+        TubeData tube = solid.tube;
+        tube.mid_radius += delta / tube.normal_scale;
+        tube.half_height += delta;
+        const Span<N> span =
+            tube_span<true, Faces::none, N>(tube, tube_seen_from<FloatNumbers<float>>(tube, pilot.p), d);
+        entry = span.entry, exit = span.exit;
+    }
+    return Mask<R>((entry <= exit) & (exit >= R(0)));
+}
+
+/// Which rays of the chunk may meet the solid in any lane. Conservative.
+template <class R>
+ZERKALO_INLINE std::uint64_t reach_of_chunk(const Plan& plan, const SolidPlan& solid, const LatticeChunk& chunk,
+                                            const LobePilot& pilot, const LobeFrame<R>& frame, Vec3<R> p) {
+    const Vec3<R> f = solid.bound_centre - p;
+    const Vec3<R> in_frame{dot(f, frame.t), dot(f, frame.b), dot(f, frame.m)};
+    const Vec3<float> c = first_lane(in_frame);
+    const float stray = sqrt(largest_lane(square(in_frame - c)));
+    const std::uint64_t near = rays_near_ball<R>(chunk, c, solid.bound_radius + stray);
+    if (near == 0 || solid.shape == ShapeKind::sphere) return near;
+    // A point at q from the centre strays by at most stray + |q| turning; the rest is room for rounding.
+    const float delta = (stray + solid.bound_radius * pilot.turning) * (1 + 0x1p-10f) +
+                        0x1p-16f * (solid.bound_radius + sqrt(dot(c, c)));
+    std::uint64_t reach = 0;
+    for (std::int32_t s = 0; s < chunk.count; s += kWidth<R>) {
+        constexpr std::uint64_t kPacket = (std::uint64_t{1} << kWidth<R>)-1;
+        if ((near >> s & kPacket) == 0) continue;
+        const Vec3<R> d =
+            pilot.m * load<R>(chunk.forward + s) + pilot.t * load<R>(chunk.side + s) + pilot.b * load<R>(chunk.up + s);
+        reach |= static_cast<std::uint64_t>(bits_of(passes_widened(plan, solid, pilot, delta, d))) << s;
+    }
+    return reach & near;
+}
+
+}  // namespace zerkalo::inline ZERKALO_ISA

@@ -1,0 +1,76 @@
+// The list of instruction sets and widths over which the lane tests run, and the scalar one they are compared with.
+#pragma once
+
+#include "core/render/render.hpp"
+#include "tests/core/probes/probes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace zerkalo::test {
+
+struct Width {
+    Isa isa;
+    const probes::Probes* probes;
+};
+
+inline std::vector<Width> all_widths() {
+    using namespace probes;
+    const auto pair = [](Isa isa, const ProbePair& of) {
+        return std::vector<Width>{{isa, &of.serial}, {isa, &of.wide}};
+    };
+    std::vector<Width> widths{{Isa::scalar, &kProbes_scalar.wide}};
+    const auto add = [&](const std::vector<Width>& more) { widths.insert(widths.end(), more.begin(), more.end()); };
+#if defined(__x86_64__)
+    add(pair(Isa::sse2, kProbes_sse2));
+    add(pair(Isa::sse4_2, kProbes_sse4_2));
+    add(pair(Isa::avx2, kProbes_avx2));
+    add(pair(Isa::avx512, kProbes_avx512));
+#elif defined(__aarch64__)
+    add(pair(Isa::neon, kProbes_neon));
+#else
+    (void)pair, (void)add;
+#endif
+    return widths;
+}
+
+/// A law over all widths. Where the CPU lacks the instruction set, the test is skipped and says so.
+class Widths : public testing::TestWithParam<Width> {
+protected:
+    void SetUp() override {
+        if (!available(GetParam().isa)) GTEST_SKIP() << "this CPU lacks " << name_of(GetParam().isa);
+    }
+    static const probes::LaneProbes& lanes() { return GetParam().probes->lanes; }
+    static const probes::ShapeProbes& shapes() { return GetParam().probes->shapes; }
+    static const probes::OpticsProbes& optics() { return GetParam().probes->optics; }
+    static int width() { return GetParam().probes->width; }
+    static const probes::Probes& scalar() { return probes::kProbes_scalar.wide; }
+};
+
+inline std::string name_of_width(const testing::TestParamInfo<Width>& info) {
+    std::string isa = name_of(info.param.isa);
+    for (char& c : isa) c = c == '.' ? '_' : c;
+    return isa + "_" + std::to_string(info.param.probes->width) + "_lanes";
+}
+
+#define ZERKALO_OVER_ALL_WIDTHS(suite) \
+    INSTANTIATE_TEST_SUITE_P(All, suite, testing::ValuesIn(all_widths()), name_of_width)
+
+using Floats = std::vector<float>;
+
+inline std::uint32_t bits_of_float(float x) { return std::bit_cast<std::uint32_t>(x); }
+
+/// Bit patterns, for comparing whole arrays and for printing the place where they differ.
+inline void expect_same_bits(const Floats& got, const Floats& wanted, const char* what) {
+    ASSERT_EQ(got.size(), wanted.size());
+    for (std::size_t k = 0; k < got.size(); ++k) {
+        ASSERT_EQ(bits_of_float(got[k]), bits_of_float(wanted[k]))
+            << what << " at element " << k << ": " << got[k] << " instead of " << wanted[k];
+    }
+}
+
+}  // namespace zerkalo::test

@@ -1,0 +1,104 @@
+// See staging.hpp.
+#include "tests/laws/staging.hpp"
+
+namespace zerkalo::laws {
+
+Material glowing(const Rgb<double>& color) {
+    Material material;
+    material.color = color;
+    material.ambient = 1;
+    material.diffuse = material.specular = 0;
+    return material;
+}
+
+Material chalk() {
+    Material material;
+    material.color = {1, 1, 1};
+    material.diffuse = 1;
+    material.ambient = material.specular = 0;
+    return material;
+}
+
+Material clear_glass(double refractive_index) {
+    Material material;
+    material.ambient = material.diffuse = material.specular = 0;
+    material.transmission = 1;
+    material.refractive_index = refractive_index;
+    return material;
+}
+
+Solid ball(const Vec3<double>& centre, double radius, const Material& material) {
+    Solid solid;
+    solid.kind = SolidKind::sphere;
+    solid.position = centre;
+    solid.radius = radius;
+    solid.material = material;
+    return solid;
+}
+
+Solid box(const Vec3<double>& base_centre, double side, double height, const Material& material) {
+    Solid solid;
+    solid.kind = SolidKind::prism;
+    solid.sides = 4;
+    solid.position = base_centre;
+    solid.rotation = {0, kPi / 4, 0};
+    solid.radius = side / std::numbers::sqrt2;
+    solid.height = height;
+    solid.material = material;
+    return solid;
+}
+
+Light lamp(const Vec3<double>& position) {
+    Light light;
+    light.position = position;
+    return light;
+}
+
+Mirror ideal_mirror(const Vec3<double>& position, const Vec3<double>& normal, double side) {
+    Mirror mirror;
+    mirror.position = position;
+    mirror.normal = normal;
+    mirror.boundary.width = mirror.boundary.height = side;
+    mirror.ambient = mirror.diffuse = mirror.specular = 0;
+    mirror.reflection = 1;
+    return mirror;
+}
+
+void add(Scene& scene, const Solid& solid) { scene.solids[scene.solid_count++] = solid; }
+void add(Scene& scene, const Light& light) { scene.lights[scene.light_count++] = light; }
+void add(Scene& scene, const Mirror& mirror) { scene.mirrors[scene.mirror_count++] = mirror; }
+
+void add_five_solids(Scene& scene, double z) {
+    const SolidKind kinds[] = {SolidKind::sphere, SolidKind::cone, SolidKind::prism, SolidKind::pyramid,
+                               SolidKind::cylinder};
+    for (int i = 0; i < 5; ++i) {
+        Solid solid;
+        solid.kind = kinds[i];
+        solid.taper = kinds[i] == SolidKind::cone ? 0.25 : 1;
+        solid.sides = 3 + i;
+        solid.radius = 0.5;
+        solid.height = 0.75;
+        solid.position = {-2.0 + i, 1 + 0.25 * (i % 3), z + 0.375 * (i % 2)};
+        solid.rotation = {0.3 * i, 0.5 - 0.2 * i, -0.25 * i};
+        solid.material.color = {0.25 + 0.125 * i, 0.875 - 0.125 * i, 0.5};
+        add(scene, solid);
+    }
+}
+
+Camera camera_at(const Vec3<double>& position, const Vec3<double>& view, double fov) {
+    Camera camera;
+    camera.position = position;
+    camera.view = view;
+    camera.fov = fov;
+    return camera;
+}
+
+Rgb<float> look(Scene scene, const Vec3<double>& origin, const Vec3<double>& view, const Settings& settings) {
+    constexpr double kAnyAngle = 0.1;  // the centre of the only pixel lies on the axis
+    scene.camera = camera_at(origin, view, kAnyAngle);
+    Settings one_pixel = settings;
+    one_pixel.width = one_pixel.height = 1;
+    return render(scene, one_pixel).at(0, 0);
+}
+
+}  // namespace zerkalo::laws

@@ -1,0 +1,55 @@
+// Small scenes for the tests of whole pictures, and single rays out of the renderer: a picture of one pixel.
+#pragma once
+
+#include "tests/laws/rendering.hpp"
+
+#include <numbers>
+
+namespace zerkalo::laws {
+
+constexpr double kPi = std::numbers::pi;
+
+/// A surface that shows its colour whatever the light: C = color, K_a = 1, all else 0.
+Material glowing(const Rgb<double>& color);
+
+/// A surface of which only the matte share is left: K_d = 1, white.
+Material chalk();
+
+/// K_t = 1 and nothing else.
+Material clear_glass(double refractive_index);
+
+Solid ball(const Vec3<double>& centre, double radius, const Material& material);
+
+/// A prism of four sides whose square base has that side, its axis upwards, its faces along the axes.
+Solid box(const Vec3<double>& base_centre, double side, double height, const Material& material);
+
+Light lamp(const Vec3<double>& position);
+
+/// A polished rectangle that only reflects, all of it, and faces along `normal`.
+Mirror ideal_mirror(const Vec3<double>& position, const Vec3<double>& normal, double side);
+
+void add(Scene& scene, const Solid& solid);
+void add(Scene& scene, const Light& light);
+void add(Scene& scene, const Mirror& mirror);
+
+/// A sphere, a cone, a prism, a pyramid and a cylinder, turned every way, about the point (0, 1, z).
+void add_five_solids(Scene& scene, double z);
+
+/// A camera at `position` that looks along `view`, `fov` radians across.
+Camera camera_at(const Vec3<double>& position, const Vec3<double>& view, double fov);
+
+/// What arrives at `origin` from the direction `view` (any length), by the renderer.
+Rgb<float> look(Scene scene, const Vec3<double>& origin, const Vec3<double>& view, const Settings& settings = {});
+
+/// The place between `low` and `high` where `test` changes from true to false, to the last digit of a double.
+template <class Test>
+double where_it_ends(double low, double high, const Test& test) {
+    constexpr int kBits = 53;
+    for (int step = 0; step < kBits; ++step) {
+        const double middle = (low + high) / 2;
+        (test(middle) ? low : high) = middle;
+    }
+    return low;
+}
+
+}  // namespace zerkalo::laws
