@@ -132,7 +132,7 @@ def lanes_row(isa, width, ms):
         cells.append(cell)
     outcome = "-"
     if goal:
-        outcome = f"{goal:g}: " + (f"missed: {', '.join(missed)}" if missed else "met")
+        outcome = f"{goal:g}: " + (f"missed at {', '.join(missed)}" if missed else "met")
     return [f"{isa}, {width}", *cells, outcome]
 
 

@@ -49,6 +49,9 @@ marker() { grep -cxF -- "$1" "$out" || true; }
 if $update && [ "$(marker "$begin") $(marker "$end")" != "1 1" ]; then
     fail "$out has not one line '$begin' and one '$end'" 1
 fi
+if [ -n "$out" ] && { [ -d "$out" ] || [ ! -w "$(dirname "$out")" ]; }; then
+    fail "$out cannot be written" 1
+fi
 [ -x "$program" ] || fail "$program is not there; build it: cmake --workflow --preset release" 1
 command -v python3 >/dev/null || fail "python3 is not installed (Debian: apt-get install python3)" 1
 newer=$(find "$root/core" "$root/platform" "$root/tools" -name '*.[ch]pp' -newer "$program" -print -quit)

@@ -8,8 +8,9 @@ import sys
 KINDS = ("pyramid", "prism", "sphere", "cylinder", "cone")
 # Of all solids together, seen from the front.
 AREA = 1.6
-# Of the upright rectangle over which they are spread, somewhat smaller than the mirror.
+# Of the upright rectangle over which they are spread, somewhat smaller than the mirror, and its middle.
 WIDTH, HEIGHT = 3.6, 1.9
+MIDDLE_X, MIDDLE_Y = 0.25, 1.35
 
 FRAME = """version = 1
 background = {background}
@@ -65,8 +66,8 @@ def solids(count, first):
     rows = math.ceil(count / columns)
     text = ""
     for place in range(count):
-        x = ((place % columns + 0.5) / columns - 0.5) * WIDTH
-        y = ((place // columns + 0.5) / rows - 0.5) * HEIGHT + 1.0
+        x = ((place % columns + 0.5) / columns - 0.5) * WIDTH + MIDDLE_X
+        y = ((place // columns + 0.5) / rows - 0.5) * HEIGHT + MIDDLE_Y
         text += solid(KINDS[(first + place) % len(KINDS)], AREA / count, x, y)
     return text
 

@@ -1,3 +1,4 @@
+#include "core/render/cpu.hpp"
 #include "core/render/kernel.hpp"
 
 #include <initializer_list>
@@ -64,15 +65,11 @@ int lanes_of(Isa isa) { return row_of(isa).lanes; }
 bool available(Isa isa) {
     if (row_of(isa).table == nullptr) return false;
 #if defined(__x86_64__)
-    // The compiler's own check also asks whether the system saves the wide registers.
-    __builtin_cpu_init();
+    const CpuFeatures cpu = cpu_features();
     switch (isa) {
-        case Isa::sse4_2: return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt");
-        case Isa::avx2: return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("popcnt");
-        case Isa::avx512:
-            return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
-                   __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
-                   __builtin_cpu_supports("avx512vl");
+        case Isa::sse4_2: return cpu.sse4_2;
+        case Isa::avx2: return cpu.avx2;
+        case Isa::avx512: return cpu.avx512;
         default: break;
     }
 #endif

@@ -102,7 +102,7 @@ inline void render_tile_general(const Plan& plan, const Rect& tile, const Linear
     counts.primary += static_cast<std::uint64_t>(tile.width) * static_cast<std::uint64_t>(tile.height) *
                       static_cast<std::uint64_t>(plan.antialias);
     const TileView view = view_of_tile(plan, tile);
-    if (view.seen == 0) return fill_tile(plan.background, tile, image);
+    if (view.seen == 0) return fill_tile(plan.background, plan.antialias, tile, image);
     TileColours colours;
     TileCounts tile_counts;
     PathStack<R> stack;

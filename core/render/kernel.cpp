@@ -8,9 +8,11 @@
 namespace zerkalo {
 
 using R = Real<ZERKALO_WIDTH>;
+// The general kernel keeps whole packets of rays on its stack: at 16 lanes they would not fit into 24 KB.
+using G = Real<(ZERKALO_WIDTH < 8 ? ZERKALO_WIDTH : 8)>;
 
 extern const KernelTable ZERKALO_TABLE;
 const KernelTable ZERKALO_TABLE = {
-    {&render_tile_one_bounce<R, false>, &render_tile_one_bounce<R, true>, &render_tile_general<R>}};
+    {&render_tile_one_bounce<R, false>, &render_tile_one_bounce<R, true>, &render_tile_general<G>}};
 
 }  // namespace zerkalo

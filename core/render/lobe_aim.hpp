@@ -8,7 +8,7 @@
 
 namespace zerkalo::inline ZERKALO_ISA {
 
-constexpr int kHoistedTerms = 96;  // lanes of origin terms that are kept; a solid without room computes its own
+constexpr int kHoistedTerms = 48;  // lanes of origin terms that are kept; a solid without room computes its own
 
 template <class R>
 struct LobeCandidate {

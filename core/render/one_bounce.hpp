@@ -86,7 +86,7 @@ inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const Lin
     counts.primary += static_cast<std::uint64_t>(tile.width) * static_cast<std::uint64_t>(tile.height) *
                       static_cast<std::uint64_t>(plan.antialias);
     TileView view = view_of_tile(plan, tile);
-    if (view.seen == 0) return fill_tile(plan.background, tile, image);
+    if (view.seen == 0) return fill_tile(plan.background, plan.antialias, tile, image);
     TileColours colours;
     TileCounts tile_counts;
     GlossQueues queues;

@@ -81,7 +81,15 @@ ZERKALO_INLINE void write_tile(const TileColours& colours, const Rect& tile, std
     }
 }
 
-ZERKALO_INLINE void fill_tile(Rgb<float> c, const Rect& tile, const LinearImage& image) {
+/// A tile that sees nothing: the background, summed and divided as the samples of rendered pixels are.
+ZERKALO_INLINE void fill_tile(Rgb<float> background, std::int32_t antialias, const Rect& tile,
+                              const LinearImage& image) {
+    Rgb<float> c = background;
+    for (std::int32_t a = 1; a < antialias; ++a) c = c + background;
+    if (antialias > 1) {
+        const float count = float(antialias);
+        c = {c.r / count, c.g / count, c.b / count};
+    }
     for (std::int32_t y = 0; y < tile.height; ++y) {
         float* out = image.row(tile.top + y) + 3 * tile.left;
         for (std::int32_t x = 0; x < tile.width; ++x) {

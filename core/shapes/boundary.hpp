@@ -10,9 +10,7 @@ namespace zerkalo::inline ZERKALO_ISA {
 
 template <class S, class L>
 ZERKALO_INLINE auto inside_rectangle(const S& b, L x, L y) -> decltype(x < y) {
-    const auto left = x >= L(-b.half_width), right = x < L(b.half_width);
-    const auto low = y >= L(-b.half_height), high = y < L(b.half_height);
-    return left & right & low & high;
+    return (x >= L(-b.half_width)) & (x < L(b.half_width)) & (y >= L(-b.half_height)) & (y < L(b.half_height));
 }
 
 template <class S, class L>

@@ -2,7 +2,8 @@
 //
 // Along a ray each slab lo <= n.p <= hi is an interval of t; the polyhedron's span is their intersection, and the face
 // that set its entry is the face that is hit; ties go to the lowest slab. IEEE infinities carry the parallel rays:
-// outside the slab the interval is empty, inside it is everything, and 0/0 (in the face plane) is ignored.
+// outside the slab the interval is empty, inside it is everything. 0/0, a ray in a face plane, is inside at `hi` and
+// outside at `lo`: half-open, so that solids stacked on each other share no ray.
 // Source: Kay, Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986; Haines, Graphics Gems II, 1991.
 #pragma once
 

@@ -53,9 +53,10 @@ ZERKALO_INLINE MirrorHit<N> curved_candidate(const S& m, Vec3<Length<N>> o, Vec3
     using D = Direction<N>;
     const Vec3<L> p = o + as<L>(d * along);
     const L t = along + shift;
-    const auto ahead = ahead_of(t_min, t, along);
     const auto near = as<D>(p.z * Curvature<N>(m.kappa)) < D(1);
-    return {MaskOf<N>(ahead & near & inside_boundary(m.boundary, p.x, p.y)), t, p.x, p.y, p.z};
+    const auto ahead = ahead_of(t_min, t, along);
+    const auto exists = ahead & near;
+    return {MaskOf<N>(exists & inside_boundary(m.boundary, p.x, p.y)), t, p.x, p.y, p.z};
 }
 
 /// Plane or sphere: the nearest of both crossings with t_min < t inside the boundary. `d_local`: in mirror axes.

@@ -8,6 +8,9 @@ namespace zerkalo::test {
 /// Answers that hang on less than this (a point at the rim, two crossings at the same place) may go either way.
 constexpr Real80 kDecision = 1e-5L;
 
+/// Longer ways may leave the range of a length.
+constexpr Real80 kLongestRay = 15;
+
 struct MirrorCase {
     ExactFrame frame;
     FixedMirror fixed;
@@ -40,7 +43,7 @@ inline MirrorCase random_mirror(Random& random, bool plane_only) {
         kappa = std::pow(10.0L, random.uniform(-1.7, 0.5));
         if (random.below(2) == 0) kappa = -kappa;
     }
-    const Real80 widest = kappa == 0 ? 1.5L : std::min(1.5L, 0.6L / std::abs(kappa));
+    const Real80 widest = kappa == 0 ? 5 : std::min(5.0L, 0.6L / std::abs(kappa));
     const Real80 size = widest * random.uniform(0.4, 1);
     const ExactFrame frame = random_frame(random);
     const Exact3 vertex = random.direction() * random.uniform(0, 2);
@@ -88,7 +91,8 @@ inline ExactHit exact_hit(const FixedMirror& m, const Exact3& o, const Exact3& d
     for (const Real80 t : {c / q, a == 0 ? -1 : q / a}) {
         const Exact3 p = o + d * t;
         const Real80 depth = std::min({depth_inside(m.boundary, p.x, p.y), t, 1 - a * p.z});
-        best.certain = best.certain && std::abs(depth) > kDecision && (!best.hit || std::abs(t - best.t) > kDecision);
+        best.certain = best.certain && std::abs(depth) > kDecision && (!best.hit || std::abs(t - best.t) > kDecision) &&
+                       (depth < 0 || t < kLongestRay);
         if (depth > 0 && (!best.hit || t < best.t)) {
             best.hit = true;
             best.t = t;

@@ -96,11 +96,11 @@ TEST(FixedSphere, InALookingGlassHasTheSameSpan) {
     }
 }
 
-TEST(FixedSphere, FarOutsideTheRangeIsMissedNotMet) {
-    // From the corner of the whole format range everything saturates, and nothing may be met.
+TEST(FixedSphere, FartherThanTheRangeIsMissed) {
+    // The difference of the points is 30, which would wrap to -2 and be met straight ahead.
     const FixedSphere sphere = fixed_sphere({-15, -15, -15}, 1);
     RayGroup rays{};
-    rays.aim(0, {15, 15, 15}, {15, 15, 16});
+    rays.aim(0, {15, 15, 15}, {16, 16, 16});
     const auto span = span_of<1>(sphere, rays, 0);
     EXPECT_GE(span.entry.raw, span.exit.raw);
 }

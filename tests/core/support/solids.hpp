@@ -35,10 +35,10 @@ inline Solid placed(SolidKind kind, Random& random) {
 inline Exact3 centre_of(const Plan& plan) { return exact(plan.solids[0].bound_centre); }
 inline Real80 size_of(const Plan& plan) { return plan.solids[0].bound_radius; }
 
-/// A ray from `distance` sizes away (in a random direction) to a random point of the ball around the solid.
+/// A ray from `distance` sizes away (in a random direction) to a random point of a ball somewhat larger than the solid.
 inline void add_ray_towards(RayList& rays, const Plan& plan, Random& random, Real80 distance) {
     const Exact3 from = centre_of(plan) + random.direction() * (distance * size_of(plan));
-    const Exact3 to = centre_of(plan) + random.direction() * (size_of(plan) * std::cbrt(random.uniform(0, 1)));
+    const Exact3 to = centre_of(plan) + random.direction() * (1.3L * size_of(plan) * std::cbrt(random.uniform(0, 1)));
     // The origin that counts is the rounded one.
     const Exact3 o = exact(rounded_to_float(from));
     rays.add(o, unit(to - o));
@@ -57,8 +57,10 @@ inline SpanList spans_of(const probes::ShapeProbes& shapes, const Plan& plan, co
         std::vector<float> front(rays.size()), back(rays.size()), unused(rays.size());
         const TriangleData* first = plan.triangles + solid.mesh.first;
         const int count = solid.mesh.count;
-        shapes.mesh(first, count, Faces::entry, rays, {front.data(), unused.data(), spans.entry.data(), spans.face_in.data()});
-        shapes.mesh(first, count, Faces::none, rays, {back.data(), unused.data(), spans.exit.data(), spans.face_out.data()});
+        shapes.mesh(first, count, Faces::entry, rays,
+                    {front.data(), unused.data(), spans.entry.data(), spans.face_in.data()});
+        shapes.mesh(first, count, Faces::none, rays,
+                    {back.data(), unused.data(), spans.exit.data(), spans.face_out.data()});
         for (std::size_t k = 0; k < rays.size(); ++k) {
             if (front[k] == 0 || back[k] == 0) spans.entry[k] = 0, spans.exit[k] = 0;
         }

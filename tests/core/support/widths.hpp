@@ -8,6 +8,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,14 @@ struct Width {
     Isa isa;
     const probes::Probes* probes;
 };
+
+inline std::string text(const Width& width) {
+    std::string isa = name_of(width.isa);
+    for (char& c : isa) c = c == '.' ? '_' : c;
+    return isa + "_" + std::to_string(width.probes->width) + "_lanes";
+}
+/// How GoogleTest prints the parameter.
+inline void PrintTo(const Width& width, std::ostream* out) { *out << text(width); }
 
 inline std::vector<Width> all_widths() {
     using namespace probes;
@@ -51,14 +60,9 @@ protected:
     static const probes::Probes& scalar() { return probes::kProbes_scalar.wide; }
 };
 
-inline std::string name_of_width(const testing::TestParamInfo<Width>& info) {
-    std::string isa = name_of(info.param.isa);
-    for (char& c : isa) c = c == '.' ? '_' : c;
-    return isa + "_" + std::to_string(info.param.probes->width) + "_lanes";
-}
-
 #define ZERKALO_OVER_ALL_WIDTHS(suite) \
-    INSTANTIATE_TEST_SUITE_P(All, suite, testing::ValuesIn(all_widths()), name_of_width)
+    INSTANTIATE_TEST_SUITE_P(All, suite, testing::ValuesIn(all_widths()), \
+                             [](const testing::TestParamInfo<Width>& info) { return text(info.param); })
 
 using Floats = std::vector<float>;
 
