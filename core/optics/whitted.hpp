@@ -35,13 +35,18 @@ template <class R>
 ZERKALO_INLINE Rgb<R> light_share(const LightData& light, const ToLight<R>& to, Vec3<R> n, Vec3<R> v,
                                   const SurfaceData& surface, Mask<R> lit) {
     Rgb<R> share = scaled(spread<R>(surface.diffuse), to.n_dot_l);
-    // (R.V)^n through the chord between R and V: x = |R - V|^2 / 2 = 1 - R.V, so R.V > 0 is x < 1.
-    const Vec3<R> chord = mirror_direction(to.l, n, to.n_dot_l) - v;
-    const R x = dot(chord, chord) * R(0.5f);
-    const auto bright = lit & (x < R(1)) & (x * R(surface.shininess) < R(light.highlight_limit));
-    if (any(bright)) {
-        const R highlight = select(bright, power_of_one_minus(x, R(surface.shininess)), R(0));
-        share = share + scaled(spread<R>(surface.specular), highlight);
+    if (surface.shininess == 0) {
+        // Whatever the angle: max(0, R.V)^0 = 1, the constant lobe.
+        share = share + spread<R>(surface.specular);
+    } else {
+        // (R.V)^n through the chord between R and V: x = |R - V|^2 / 2 = 1 - R.V, so R.V > 0 is x < 1.
+        const Vec3<R> chord = mirror_direction(to.l, n, to.n_dot_l) - v;
+        const R x = dot(chord, chord) * R(0.5f);
+        const auto bright = lit & (x < R(1)) & (x * R(surface.shininess) < R(light.highlight_limit));
+        if (any(bright)) {
+            const R highlight = select(bright, power_of_one_minus(x, R(surface.shininess)), R(0));
+            share = share + scaled(spread<R>(surface.specular), highlight);
+        }
     }
     share = spread<R>(light.power) * share;
     if (light.inverse_square) {

@@ -3,8 +3,8 @@
 namespace zerkalo {
 namespace {
 
-constexpr double kRoomPixels = 1;  // beyond the half pixel that an antialiased pixel reaches
-constexpr double kRoomRelative = 1e-6;
+constexpr double kRoomPixels = 1;          // beyond the half pixel that an antialiased pixel reaches
+constexpr double kRoomRelative = 0x1p-20;  // of a size or distance: far above double's rounding, below float's effect
 
 /// Slopes from low to high along one image axis -> pixel interval of an image with n pixels and the given half width.
 void interval(double low, double high, double tan_half, std::int32_t n, std::int32_t& first, std::int32_t& end) {

@@ -17,8 +17,9 @@ double larger(double a, double b) { return a > b ? a : b; }
 /// 1 - u^(1/(n+1)), the distance of a lattice ray from the lobe's axis, 1 - cos(theta).
 double distance_from_axis(double u, double exponent) {
     const double e = natural_log(u) / (exponent + 1);
-    // For wide exponents the series of 1 - e^x keeps its digits.
-    return e > -1e-5 ? -e * (1 + e / 2) : 1 - exponential(e);
+    // Below 2^-17 the difference would lose digits; two terms of the series are then good to e^2 / 6 < 2^-36.
+    constexpr double kSeries = 0x1p-17;
+    return e > -kSeries ? -e * (1 + e / 2) : 1 - exponential(e);
 }
 
 LobeData lobe_of(const Mirror& mirror, std::int32_t samples) {

@@ -9,7 +9,7 @@ namespace {
 // A camera or light farther than this many scene radii would waste the digits of a float origin.
 constexpr double kFarRadii = 64;
 // A camera or light nearer to a solid than this share of its size counts as inside.
-constexpr double kNearShare = 1e-3;
+constexpr double kNearShare = 0x1p-10;
 
 Status check(const Settings& settings, const ImageSize& size) {
     const auto complain = [](const char* field, const char* reason) {

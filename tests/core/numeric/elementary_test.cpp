@@ -68,10 +68,10 @@ TEST_P(ElementaryFunctions, Exp2IsWithinItsBoundAndSaturates) {
     constexpr Real80 kBound = 1e-7L;
     expect_relative(Elementary::exp2, sweep(-125, 125), kBound, [](Real80 x) { return std::exp2(x); });
     expect_relative(Elementary::exp2, sweep(-2, 2), kBound, [](Real80 x) { return std::exp2(x); });
-    const Floats ends = values(Elementary::exp2, {-1e30f, -126, 126, 1e30f, -kEndless, kEndless, 0, 1,
-                                                  -1, 2, 3, -125, 125, 10, 20, -20});
-    const Floats wanted{0x1p-125f, 0x1p-125f, 0x1p125f, 0x1p125f, 0x1p-125f, 0x1p125f, 1,      2,
-                        0.5f,      4,         8,        0x1p-125f, 0x1p125f, 1024,     0x1p20f, 0x1p-20f};
+    const Floats ends = values(Elementary::exp2,
+                               {-1e30f, -126, 126, 1e30f, -kEndless, kEndless, 0, 1, -1, 2, 3, -125, 125, 10, 20, -20});
+    const Floats wanted{0x1p-125f, 0x1p-125f, 0x1p125f, 0x1p125f,  0x1p-125f, 0x1p125f, 1,       2,
+                        0.5f,      4,         8,        0x1p-125f, 0x1p125f,  1024,     0x1p20f, 0x1p-20f};
     expect_same_bits(ends, wanted, "whole powers of two");
 }
 

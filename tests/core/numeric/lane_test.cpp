@@ -11,7 +11,7 @@ using probes::Binary;
 using probes::PacketFacts;
 using probes::Unary;
 
-constexpr int kPatterns = 1 << 16;
+constexpr int kPatterns = ZERKALO_LAW_RAYS;
 constexpr float kOne = 1;
 
 class Lanes : public Widths {
@@ -127,9 +127,8 @@ TEST_P(Lanes, IntegersWrapLikeScalarOnes) {
                         {Binary::bits_xor, "^", [](std::uint32_t x, std::uint32_t y) { return x ^ y; }}};
     for (const Row& row : rows) {
         lanes().binary(row.op, a.data(), b.data(), got.data(), kPatterns);
-        expect_each(a, b, got, row.name, NotANumber::exact, [&](float x, float y) {
-            return from_pattern(row.scalar(bits_of_float(x), bits_of_float(y)));
-        });
+        expect_each(a, b, got, row.name, NotANumber::exact,
+                    [&](float x, float y) { return from_pattern(row.scalar(bits_of_float(x), bits_of_float(y))); });
     }
 }
 
@@ -139,7 +138,7 @@ PacketFacts facts_of(const float* a, const float* b, int width) {
     facts.all_less = facts.none_less = true;
     facts.first = facts.largest = a[0];
     for (int k = 0; k < width; ++k) {
-        const bool less = a[k] < b[k], positive = a[k] > 0;
+        const bool less = a[k]<b[k], positive = a[k]> 0;
         const auto set = [k](std::uint32_t& mask, bool value) { mask |= std::uint32_t{value} << k; };
         set(facts.less, less), set(facts.greater, a[k] > b[k]);
         set(facts.less_equal, a[k] <= b[k]), set(facts.greater_equal, a[k] >= b[k]);

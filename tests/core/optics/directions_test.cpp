@@ -1,6 +1,6 @@
 // Reflection, refraction and frames obey geometry: coplanar, unit, reversible, orthonormal, at every width.
-#include "tests/core/support/rays.hpp"
 #include "tests/core/support/random.hpp"
+#include "tests/core/support/rays.hpp"
 #include "tests/core/support/widths.hpp"
 
 namespace zerkalo::test {
@@ -64,7 +64,8 @@ TEST_P(Directions, MirrorDirectionIsReflectionSeenFromTheSurface) {
         for (float& c : *part) c = -c;
     }
     const PointList r = reflected(away, n);
-    for (std::size_t k = 0; k < l.size(); ++k) ASSERT_EQ(text(out[k]), text(r[k])) << text(l[k]) << " at " << text(n[k]);
+    for (std::size_t k = 0; k < l.size(); ++k)
+        ASSERT_EQ(text(out[k]), text(r[k])) << text(l[k]) << " at " << text(n[k]);
 }
 
 /// A direction that meets the normal n at the given angle.

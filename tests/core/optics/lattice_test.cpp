@@ -151,7 +151,8 @@ TEST(LatticeClasses, EveryBlockOfFourPixelsHasOneOfEach) {
         for (int block = 0; block < 16; ++block) {
             const int corner = (block / 4) * 16 + (block % 4) * 2;
             unsigned seen = 0;
-            for (const int pixel : {corner, corner + 1, corner + 8, corner + 9}) seen |= 1u << lattice_class(hash, pixel);
+            for (const int pixel : {corner, corner + 1, corner + 8, corner + 9})
+                seen |= 1u << lattice_class(hash, pixel);
             ASSERT_EQ(seen, 15u) << std::hex << "hash " << hash << " block " << block;
         }
     }

@@ -28,7 +28,7 @@ Views random_views(Random& random, const LightData& light) {
     return views;
 }
 
-/// E (C Kd (N.L) + F Ks max(0, R.V)^n) for one channel, and the highlight's part of it.
+/// E (C Kd (N.L) + F Ks max(0, R.V)^n) for one channel, and the highlight's part of it; n = 0 is the constant lobe.
 struct Plain {
     Real80 share, highlight;
 };
@@ -38,7 +38,8 @@ Plain plain_formula(Real80 power, Real80 falloff, Real80 diffuse, Real80 specula
     return {power * falloff * (diffuse * n_dot_l + highlight), power * falloff * highlight};
 }
 
-void expect_plain_formula(const LightData& light, const SurfaceData& surface, const Views& views, const PointList& got) {
+void expect_plain_formula(const LightData& light, const SurfaceData& surface, const Views& views,
+                          const PointList& got) {
     for (std::size_t k = 0; k < views.n.size(); ++k) {
         const Exact3 way = exact(light.position) - views.seen.o[k], n = views.n[k], v = views.seen.d[k];
         const Exact3 l = unit(way), r = n * (2 * dot(n, l)) - l;
@@ -53,8 +54,10 @@ void expect_plain_formula(const LightData& light, const SurfaceData& surface, co
         // The chord's rounding grows with 2 sqrt(n x); n x is at most 17 before the highlight vanishes below 2^-24.
         const Real80 of_highlight = (16 + 32 * std::sqrt(Real80(surface.shininess))) * kU * plain.highlight;
         const Real80 vanished = 0x1p-23L * light.power.g * surface.specular.g * falloff;
-        const Real80 room = 16 * kU * std::abs(plain.share) + 16 * kU * falloff * light.power.g + of_highlight + vanished;
-        ASSERT_LE(std::abs(got[k].y - wanted), room) << text(views.seen, k) << " n " << text(n) << " R.V " << double(r_dot_v);
+        const Real80 room =
+            16 * kU * std::abs(plain.share) + 16 * kU * falloff * light.power.g + of_highlight + vanished;
+        ASSERT_LE(std::abs(got[k].y - wanted), room)
+            << text(views.seen, k) << " n " << text(n) << " R.V " << double(r_dot_v);
     }
 }
 
@@ -68,9 +71,7 @@ LightData lamp(bool inverse_square) {
     return light;
 }
 
-SurfaceData matter(float shininess) {
-    return {{0, 0, 0}, {0.25f, 0.5f, 0.75f}, {0.4f, 0.3f, 0.2f}, shininess};
-}
+SurfaceData matter(float shininess) { return {{0, 0, 0}, {0.25f, 0.5f, 0.75f}, {0.4f, 0.3f, 0.2f}, shininess}; }
 
 TEST_P(LocalLight, ShareIsThePlainFormula) {
     Random random(95);

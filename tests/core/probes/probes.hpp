@@ -15,8 +15,22 @@ constexpr int kWidest = 16;
 
 enum class Unary { negate, root, magnitude, round_trip, shift_left_5, shift_right_9, cap_at_one, raise_to_one };
 enum class Binary {
-    add, subtract, multiply, divide, least, greatest, choose, choose_or_one, one_or_choose, with_sign_of,
-    bits_add, bits_subtract, bits_multiply, bits_and, bits_or, bits_xor,
+    add,
+    subtract,
+    multiply,
+    divide,
+    least,
+    greatest,
+    choose,
+    choose_or_one,
+    one_or_choose,
+    with_sign_of,
+    bits_add,
+    bits_subtract,
+    bits_multiply,
+    bits_and,
+    bits_or,
+    bits_xor,
 };
 enum class Elementary { exp2_minus_one, exp2, log2, log2_one_minus, sine, cosine };
 

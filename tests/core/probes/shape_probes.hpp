@@ -154,9 +154,8 @@ void probe_mirror_normal(const MirrorShape& mirror, probes::Points p, const prob
 
 template <class R>
 constexpr probes::ShapeProbes shape_probes() {
-    return {&probe_sphere<R>,        &probe_tube<R>,        &probe_half_spaces<R>,
-            &probe_mesh<R>,          &probe_mirror<R>,      &probe_inside<R>,
-            &probe_sphere_normal<R>, &probe_tube_normal<R>, &probe_mirror_normal<R>};
+    return {&probe_sphere<R>, &probe_tube<R>,          &probe_half_spaces<R>, &probe_mesh<R>,         &probe_mirror<R>,
+            &probe_inside<R>, &probe_sphere_normal<R>, &probe_tube_normal<R>, &probe_mirror_normal<R>};
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

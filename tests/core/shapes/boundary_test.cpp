@@ -66,7 +66,8 @@ TEST_P(MirrorOutline, DiscAndEllipseAreTheirFormula) {
         const Real80 semi_x = disc ? shape.radius : shape.width / 2, semi_y = disc ? shape.radius : shape.height / 2;
         Floats x, y;
         while (x.size() < kLawRays) {
-            const double around = random.uniform(0, 6.3), out = 1 + random.uniform(-1, 1) * std::exp2(random.uniform(-24, 0));
+            const double around = random.uniform(0, 6.3),
+                         out = 1 + random.uniform(-1, 1) * std::exp2(random.uniform(-24, 0));
             x.push_back(float(double(semi_x) * out * std::cos(around)));
             y.push_back(float(double(semi_y) * out * std::sin(around)));
         }
@@ -103,7 +104,8 @@ TEST_P(MirrorOutline, PolygonIsTheSameInEitherSense) {
         Boundary backwards = forwards;
         std::reverse(backwards.corners, backwards.corners + corners);
         Floats x, y;
-        while (x.size() < kLawRays / 4) x.push_back(float(random.uniform(-2, 2))), y.push_back(float(random.uniform(-2, 2)));
+        while (x.size() < kLawRays / 4)
+            x.push_back(float(random.uniform(-2, 2))), y.push_back(float(random.uniform(-2, 2)));
         x.resize((x.size() + 15) / 16 * 16, 0), y.resize(x.size(), 0);
         const Floats one = inside(outline_of(forwards), x, y), other = inside(outline_of(backwards), x, y);
         std::size_t within = 0;
@@ -112,7 +114,8 @@ TEST_P(MirrorOutline, PolygonIsTheSameInEitherSense) {
             for (int e = 0; e < corners; ++e) {
                 const auto& p = forwards.corners[e];
                 const auto& q = forwards.corners[(e + 1) % corners];
-                const Real80 side = (q.x - Real80(p.x)) * (y[k] - Real80(p.y)) - (q.y - Real80(p.y)) * (x[k] - Real80(p.x));
+                const Real80 side =
+                    (q.x - Real80(p.x)) * (y[k] - Real80(p.y)) - (q.y - Real80(p.y)) * (x[k] - Real80(p.x));
                 nearest = std::min(nearest, side);
             }
             if (std::abs(nearest) <= kRoundings * kU * 4) continue;

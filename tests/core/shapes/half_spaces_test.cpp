@@ -99,7 +99,7 @@ TEST_P(HalfSpaces, RaysAtEdgesAndVerticesNeverLeak) {
         while (rays.size() < kLawRays / kShapes) {
             const int k = random.below(solid.sides);
             const Corners here = corners(solid, *plan, k), next = corners(solid, *plan, k + 1);
-            const Exact3 ends[][2] = {{here.base, next.base}, {here.top, next.top}, {here.base, here.top},
+            const Exact3 ends[][2] = {{here.base, next.base}, {here.top, next.top},   {here.base, here.top},
                                       {here.base, next.top},  {here.base, here.base}, {here.top, here.top}};
             const auto& edge = ends[random.below(6)];
             const Exact3 on_edge = edge[0] + (edge[1] - edge[0]) * random.uniform(0, 1);

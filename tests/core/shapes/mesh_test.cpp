@@ -81,7 +81,8 @@ TEST_P(Mesh, FirstHitFromOutsideIsAFrontAndFromInsideABack) {
         ASSERT_EQ(both.face[k], named.face[k]) << text(rays, k);
         const TriangleData& triangle = twin.mesh->triangles[static_cast<int>(both.face[k])];
         const Exact3 p = rays.o[k] + rays.d[k] * both.t[k];
-        ASSERT_LE(std::abs(dot(exact(triangle.normal), p - exact(triangle.a))), 6 * kRoundings * kU * 8) << text(rays, k);
+        ASSERT_LE(std::abs(dot(exact(triangle.normal), p - exact(triangle.a))), 6 * kRoundings * kU * 8)
+            << text(rays, k);
         ASSERT_EQ(dot(exact(triangle.normal), rays.d[k]) < 0, outside) << text(rays, k);
     }
 }

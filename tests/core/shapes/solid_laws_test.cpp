@@ -32,8 +32,8 @@ Subject polyhedron(const char* name, SolidKind kind, int sides, Real80 r, Real80
     const PolygonMeasures base = polygon(sides, r);
     const bool prism = kind == SolidKind::prism;
     subject.volume = base.area * h / (prism ? 1 : 3);
-    subject.surface = prism ? 2 * base.area + sides * base.side * h
-                            : base.area + sides * base.side * std::hypot(base.apothem, h) / 2;
+    subject.surface =
+        prism ? 2 * base.area + sides * base.side * h : base.area + sides * base.side * std::hypot(base.apothem, h) / 2;
     return subject;
 }
 
@@ -114,7 +114,8 @@ TEST_P(SolidLaws, ConeFillsAThirdOfItsCylinderAndAPyramidAThirdOfItsPrism) {
         const Exact3 d = random.direction();
         const Real80 part = volume_by_chords(shapes(), *plan_of(pointed), d);
         const Real80 whole = volume_by_chords(shapes(), *plan_of(straight), d);
-        EXPECT_NEAR(double(part / whole), 1.0 / 3, double(kGridError)) << (pair[0] == SolidKind::cone ? "cone" : "pyramid");
+        EXPECT_NEAR(double(part / whole), 1.0 / 3, double(kGridError))
+            << (pair[0] == SolidKind::cone ? "cone" : "pyramid");
     }
 }
 
@@ -162,8 +163,8 @@ Exact3 outward_normal(const probes::ShapeProbes& shapes, const Plan& plan, const
     return low ? -exact(slab.n) : exact(slab.n);
 }
 
-// From a hit, as float holds it, along any direction w that leaves the surface at more than 6 degrees: whatever span the
-// solid answers with has ended, but for the hit's own roundings seen along w. Nothing of the solid lies ahead.
+// From a hit, as float holds it, along any direction w that leaves the surface at more than 6 degrees: whatever span
+// the solid answers with has ended, but for the hit's own roundings seen along w. Nothing of the solid lies ahead.
 TEST_P(SolidLaws, OutgoingRayNeverMeetsItAgain) {
     Random random(74);
     constexpr Real80 kRoundings = 48, kLeastCosine = 0.1L;

@@ -66,8 +66,8 @@ TEST_P(Sphere, FarOriginLosesNoHitWhereTheNaiveFormulaDoes) {
     for (std::size_t k = 0; k < rays.size(); ++k) {
         const Real80 room = kRoundings * kU * 1e3L;
         const bool certain = !exact_span(*plan, rays.o[k], rays.d[k], -room).empty();
-        naive_losses += certain && !naive_hit(plan->solids[0].sphere, rounded_to_float(rays.o[k]),
-                                              rounded_to_float(rays.d[k]));
+        naive_losses +=
+            certain && !naive_hit(plan->solids[0].sphere, rounded_to_float(rays.o[k]), rounded_to_float(rays.d[k]));
     }
     EXPECT_GT(naive_losses, outcome.hits / 1000) << "the naive twin must fail, or this case shows nothing";
 }

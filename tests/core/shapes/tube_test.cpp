@@ -125,7 +125,8 @@ TEST_P(Tube, SpecialPositionsHaveExactAnswers) {
         rays.add(row.o, row.d);
         rays.pad();
         const SpanList spans = spans_of_rays(*plan, rays);
-        EXPECT_EQ(spans.entry[0] < spans.exit[0], row.hit) << row.what << ": " << spans.entry[0] << ".." << spans.exit[0];
+        EXPECT_EQ(spans.entry[0] < spans.exit[0], row.hit)
+            << row.what << ": " << spans.entry[0] << ".." << spans.exit[0];
         if (row.exit == 0) continue;
         EXPECT_EQ(spans.entry[0], row.entry) << row.what;
         EXPECT_EQ(spans.exit[0], row.exit) << row.what;

@@ -60,7 +60,7 @@ protected:
     static const probes::Probes& scalar() { return probes::kProbes_scalar.wide; }
 };
 
-#define ZERKALO_OVER_ALL_WIDTHS(suite) \
+#define ZERKALO_OVER_ALL_WIDTHS(suite)                                    \
     INSTANTIATE_TEST_SUITE_P(All, suite, testing::ValuesIn(all_widths()), \
                              [](const testing::TestParamInfo<Width>& info) { return text(info.param); })
 
