@@ -72,7 +72,8 @@ template <class R>
 void probe_facts(const float* a, const float* b, probes::PacketFacts* out, int count) {
     for (int k = 0; k < count; k += kWidth<R>) {
         const R x = load<R>(a + k), y = load<R>(b + k);
-        const Mask<R> less = x<y, positive = x> R(0);
+        const Mask<R> less = x < y;
+        const Mask<R> positive = x > R(0);
         *out++ = {bits_of(less),
                   bits_of(x > y),
                   bits_of(x <= y),
