@@ -15,6 +15,9 @@ struct LinearImage {
     float* row(std::int32_t y) const {
         return reinterpret_cast<float*>(reinterpret_cast<unsigned char*>(pixels) + y * stride);
     }
+    float* below(float* pixel) const {
+        return reinterpret_cast<float*>(reinterpret_cast<unsigned char*>(pixel) + stride);
+    }
 };
 
 /// A rectangle of pixels, left and top inclusive.

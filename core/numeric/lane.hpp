@@ -8,6 +8,7 @@
 
 #include "core/numeric/isa.hpp"
 #include "core/numeric/native_order.hpp"
+#include "core/numeric/shuffle.hpp"
 
 #include <bit>
 #include <cstdint>
@@ -276,11 +277,7 @@ ZERKALO_INLINE float first_lane(Lanes<W> a) { return typename FloatBatch<W>::reg
 /// For decisions about whole packets only: no lane's value may depend on another's.
 template <int W>
 ZERKALO_INLINE float largest_lane(Lanes<W> a) {
-    alignas(64) float lanes[W];
-    store(lanes, a);
-    float largest = lanes[0];
-    for (int k = 1; k < W; ++k) largest = max(largest, lanes[k]);
-    return largest;
+    return largest_of<W>(typename FloatBatch<W>::register_type(a.v));
 }
 
 /// Number of lanes set in the mask.

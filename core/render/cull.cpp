@@ -122,27 +122,27 @@ void derive_bounds(const Scene& scene, const Viewpoint& eye, Plan& plan) {
         scene.mirror_count == 1 && !(magnitude(scene.mirrors[0].curvature_radius) < kInfinity) && !plan.exact_plan;
     for (std::int32_t m = 0; m < scene.mirror_count; ++m) {
         hull_of(scene.mirrors[m], hull);
-        plan.mirror_bounds[m] = plan.exact_plan ? whole_picture(eye) : bounds_of_hull(eye, hull);
+        plan.mirror_bounds.set(m, plan.exact_plan ? whole_picture(eye) : bounds_of_hull(eye, hull));
     }
     for (std::int32_t k = 0; k < scene.solid_count; ++k) {
         const Solid& solid = scene.solids[k];
         const bool ball = solid.kind == SolidKind::sphere;
         hull_of(scene, solid, hull);
-        plan.solid_bounds[k] = plan.exact_plan ? whole_picture(eye)
-                               : ball          ? bounds_of_ball(eye, ball_of(scene, solid))
-                                               : bounds_of_hull(eye, hull);
-        plan.image_bounds[k] = whole_picture(eye);
-        for (std::int32_t j = 0; j < scene.light_count; ++j) plan.shadow_bounds[j][k] = whole_picture(eye);
+        plan.solid_bounds.set(k, plan.exact_plan ? whole_picture(eye)
+                                 : ball          ? bounds_of_ball(eye, ball_of(scene, solid))
+                                                 : bounds_of_hull(eye, hull));
+        plan.image_bounds.set(k, whole_picture(eye));
+        for (std::int32_t j = 0; j < scene.light_count; ++j) plan.shadow_bounds[j].set(k, whole_picture(eye));
         if (!one_plane) continue;
         const Mirror& mirror = scene.mirrors[0];
         for (std::int32_t j = 0; j < scene.light_count; ++j) {
-            plan.shadow_bounds[j][k] = shadow_bounds(eye, mirror, scene.lights[j].position, hull);
+            plan.shadow_bounds[j].set(k, shadow_bounds(eye, mirror, scene.lights[j].position, hull));
             hull_of(scene, solid, hull);
         }
         const Point n = unit(mirror.normal);
         for (std::int32_t c = 0; c < hull.count; ++c) hull.points[c] = mirrored(hull.points[c], mirror, n);
         const Ball image{mirrored(solid.position, mirror, n), solid.radius};
-        plan.image_bounds[k] = ball ? bounds_of_ball(eye, image) : bounds_of_hull(eye, hull);
+        plan.image_bounds.set(k, ball ? bounds_of_ball(eye, image) : bounds_of_hull(eye, hull));
     }
 }
 

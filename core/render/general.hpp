@@ -101,8 +101,8 @@ template <class R>
 inline void render_tile_general(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
     counts.primary += static_cast<std::uint64_t>(tile.width) * static_cast<std::uint64_t>(tile.height) *
                       static_cast<std::uint64_t>(plan.antialias);
-    const TileView view = view_of_tile(plan, tile);
-    if (view.seen == 0) return fill_tile(plan.background, plan.antialias, tile, image);
+    const TileView view = view_of_tile<R>(plan, tile);
+    if (view.seen == 0) return fill_tile<R>(plan.background, plan.antialias, tile, image);
     TileColours colours;
     TileCounts tile_counts;
     PathStack<R> stack;
@@ -120,7 +120,8 @@ inline void render_tile_general(const Plan& plan, const Rect& tile, const Linear
                 a > 0);
         }
     }
-    write_tile(colours, tile, plan.antialias, image);
+    if (plan.antialias > 1) average<R>(colours, plan.antialias);
+    write_tile<R>(colours, tile, image);
     counts.reflected += tile_counts.reflected;
     counts.lobe += tile_counts.lobe;
     counts.refracted += tile_counts.refracted;

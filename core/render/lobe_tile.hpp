@@ -5,6 +5,13 @@
 
 namespace zerkalo::inline ZERKALO_ISA {
 
+/// The corners of a square about its centre, again and again for wider lanes.
+struct Corners {
+    float x[16], y[16];
+};
+constexpr Corners kCorners{{-1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1},
+                           {-1, -1, 1, 1, -1, -1, 1, 1, -1, -1, 1, 1, -1, -1, 1, 1}};
+
 /// The mirror points of a tile lie within `stray` of p; their mirror directions within an angle of m.
 struct TileLobe {
     Vec3<float> p, m;
@@ -12,6 +19,7 @@ struct TileLobe {
     bool bounded;
 };
 
+template <class R>
 ZERKALO_INLINE TileLobe lobe_of_tile(const Plan& plan, const Rect& tile) {
     const MirrorPlan& mirror = plan.mirrors[0];
     const CameraPlan& camera = plan.camera;
@@ -27,15 +35,15 @@ ZERKALO_INLINE TileLobe lobe_of_tile(const Plan& plan, const Rect& tile) {
     lobe.p = camera.origin + from_eye;
     lobe.m = reflect(middle * scale, mirror.shape.n);
     float stray2 = 0, turn2 = 0;
-    for (int corner = 0; corner < 4; ++corner) {
-        const Vec3<float> off = camera.step_x * float(corner & 1 ? tile.width : -tile.width) +
-                                camera.step_y * float(corner & 2 ? tile.height : -tile.height);
-        const Vec3<float> d = middle + off;
-        const float corner_fall = -dot(mirror.shape.n, d);
-        if (!(corner_fall > 0)) return lobe;
-        const Vec3<float> away = d * (height / corner_fall) - from_eye;
-        stray2 = max(stray2, dot(away, away));
-        turn2 = max(turn2, dot(off, off));
+    for (int corner = 0; corner < 4; corner += kWidth<R>) {
+        const Vec3<R> off = camera.step_x * (load<R>(kCorners.x + corner) * R(float(tile.width))) +
+                            camera.step_y * (load<R>(kCorners.y + corner) * R(float(tile.height)));
+        const Vec3<R> d = middle + off;
+        const R corner_fall = -dot(mirror.shape.n, d);
+        if (!all(corner_fall > R(0))) return lobe;
+        const Vec3<R> away = d * (R(height) / corner_fall) - from_eye;
+        stray2 = max(stray2, largest_lane(dot(away, away)));
+        turn2 = max(turn2, largest_lane(dot(off, off)));
     }
     // The angle's sine is at most |off| / |middle|; a little more covers rounding.
     constexpr float kRoom = 1 + 0x1p-10f;
@@ -50,21 +58,23 @@ ZERKALO_INLINE TileLobe lobe_of_tile(const Plan& plan, const Rect& tile) {
 }
 
 /// Solids that some lobe ray of the tile's mirror pixels may meet, as the packets' own test would say.
+template <class R>
 ZERKALO_INLINE CandidateMask candidates_of_tile(const Plan& plan, const Rect& tile) {
-    const CandidateMask everything = (CandidateMask{1} << plan.solid_count) - 1;
+    const CandidateMask everything = first_bits(plan.solid_count);
     if (plan.exact_plan) return everything;
-    const TileLobe lobe = lobe_of_tile(plan, tile);
+    const TileLobe lobe = lobe_of_tile<R>(plan, tile);
     if (!lobe.bounded) return everything;
     CandidateMask mask = 0;
-    for (std::int32_t k = 0; k < plan.solid_count; ++k) {
-        const Vec3<float> f = plan.solids[k].bound_centre - lobe.p;
-        const float along = dot(f, lobe.m);
-        const Vec3<float> across = f - lobe.m * along;
-        const float reach = (plan.solids[k].bound_radius + lobe.stray) * (1 + 0x1p-10f) + along * lobe.sine;
-        const bool meets = reach >= 0 && dot(across, across) * (lobe.cosine * lobe.cosine) <= reach * reach;
-        mask |= CandidateMask{meets} << k;
+    const BoundTable& bounds = plan.bounds;
+    for (std::int32_t k = 0; k < plan.solid_count; k += kWidth<R>) {
+        const Vec3<R> f = Vec3<R>{load<R>(bounds.x + k), load<R>(bounds.y + k), load<R>(bounds.z + k)} - lobe.p;
+        const R along = dot(f, lobe.m);
+        const Vec3<R> across = f - lobe.m * along;
+        const R reach = (load<R>(bounds.radius + k) + R(lobe.stray)) * R(1 + 0x1p-10f) + along * R(lobe.sine);
+        const auto meets = (reach >= R(0)) & (dot(across, across) * R(lobe.cosine * lobe.cosine) <= reach * reach);
+        mask |= CandidateMask{bits_of(meets)} << k;
     }
-    return mask;
+    return mask & everything;
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

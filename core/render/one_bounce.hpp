@@ -85,13 +85,13 @@ template <class R, bool Glossy>
 inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
     counts.primary += static_cast<std::uint64_t>(tile.width) * static_cast<std::uint64_t>(tile.height) *
                       static_cast<std::uint64_t>(plan.antialias);
-    TileView view = view_of_tile(plan, tile);
-    if (view.seen == 0) return fill_tile(plan.background, plan.antialias, tile, image);
+    TileView view = view_of_tile<R>(plan, tile);
+    if (view.seen == 0) return fill_tile<R>(plan.background, plan.antialias, tile, image);
     TileColours colours;
     TileCounts tile_counts;
     GlossQueues queues;
     queues.tile_hash = tile_hash(plan, tile);
-    if (Glossy && mirrors_in(view.seen) != 0) view.in_lobe = candidates_of_tile(plan, tile);
+    if (Glossy && mirrors_in(view.seen) != 0) view.in_lobe = candidates_of_tile<R>(plan, tile);
     const R right_edge = R(float(tile.left + tile.width));
     for (std::int32_t a = 0; a < plan.antialias; ++a) {
         const SubPixel at = sub_pixel(a, plan.antialias);
@@ -105,7 +105,8 @@ inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const Lin
         if constexpr (Glossy)
             flush<R>(queues, plan, plan.mirrors[0], view.in_lobe, static_cast<std::uint32_t>(a), colours, tile_counts);
     }
-    write_tile(colours, tile, plan.antialias, image);
+    if (plan.antialias > 1) average<R>(colours, plan.antialias);
+    write_tile<R>(colours, tile, image);
     counts.reflected += tile_counts.reflected;
     counts.lobe += tile_counts.lobe;
     counts.shadow += tile_counts.shadow;

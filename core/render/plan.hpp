@@ -12,6 +12,8 @@ namespace zerkalo {
 
 constexpr int kTileSide = 8;
 constexpr int kTilePixels = kTileSide * kTileSide;
+constexpr int kWidestLane = 16;
+static_assert(kMaxMirrors <= kWidestLane);
 constexpr int kMaxSlabs = kMaxSolids * (kMaxSides + 1);
 constexpr int kMaxOrigins = kMaxLights + 1;  // origins that all rays of a kind share: the camera and the lights
 constexpr int kCameraOrigin = kMaxLights;
@@ -90,6 +92,23 @@ struct PixelBounds {
     std::int32_t left, top, right, bottom;
 };
 
+/// The same for several objects, one a lane. As floats, which hold them exactly.
+template <int count>
+struct PixelBoundsTable {
+    static_assert(count % kWidestLane == 0);
+    float left[count], top[count], right[count], bottom[count];
+
+    constexpr void set(std::int32_t k, const PixelBounds& bounds) {
+        left[k] = float(bounds.left), top[k] = float(bounds.top);
+        right[k] = float(bounds.right), bottom[k] = float(bounds.bottom);
+    }
+};
+
+/// The bounding spheres of SolidPlan, one a lane.
+struct BoundTable {
+    float x[kMaxSolids], y[kMaxSolids], z[kMaxSolids], radius[kMaxSolids];
+};
+
 /// What can stand between each light and one surface.
 struct Blockers {
     std::uint64_t of_light[kMaxLights];
@@ -116,10 +135,11 @@ struct Plan {
     // Culling. Bit k of a mask is solid k, bit kMaxSolids + k is mirror k.
     Blockers blockers_of_solid[kMaxSolids];
     Blockers blockers_of_mirror[kMaxMirrors];
-    PixelBounds solid_bounds[kMaxSolids];
-    PixelBounds mirror_bounds[kMaxMirrors];
-    PixelBounds image_bounds[kMaxSolids];               // of the solids' images behind the only, plane mirror
-    PixelBounds shadow_bounds[kMaxLights][kMaxSolids];  // of the solids' shadows on it
+    BoundTable bounds;
+    PixelBoundsTable<kMaxSolids> solid_bounds;
+    PixelBoundsTable<kWidestLane> mirror_bounds;
+    PixelBoundsTable<kMaxSolids> image_bounds;               // of the solids' images behind the only, plane mirror
+    PixelBoundsTable<kMaxSolids> shadow_bounds[kMaxLights];  // of the solids' shadows on it
 };
 
 }  // namespace zerkalo

@@ -143,6 +143,8 @@ void derive_objects(const Scene& scene, const Settings& settings, const Surround
         // Room for the rounding of coordinates as large as the scene.
         const double size = around.all.radius + length(around.all.centre);
         solid.bound_radius = float(around.solids[k].radius * (1 + 0x1p-16) + 0x1p-18 * size);
+        plan.bounds.x[k] = solid.bound_centre.x, plan.bounds.y[k] = solid.bound_centre.y;
+        plan.bounds.z[k] = solid.bound_centre.z, plan.bounds.radius[k] = solid.bound_radius;
     }
     for (std::int32_t m = 0; m < scene.mirror_count; ++m) {
         derive_mirror(scene.mirrors[m], scene.ambient, settings, plan.mirrors[m]);

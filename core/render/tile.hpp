@@ -14,27 +14,31 @@ struct TileView {
     Blockers mirror_blockers;  // that can shade the visible part of that mirror
 };
 
-ZERKALO_INLINE bool overlap(const PixelBounds& bounds, const Rect& tile) {
-    return bounds.left < tile.left + tile.width && tile.left < bounds.right && bounds.top < tile.top + tile.height &&
-           tile.top < bounds.bottom;
-}
-
-ZERKALO_INLINE CandidateMask overlapping(const PixelBounds* bounds, std::int32_t count, const Rect& tile) {
+/// Bit k: the bounds of object k share a pixel with the tile.
+template <class R, int n>
+ZERKALO_INLINE CandidateMask overlapping(const PixelBoundsTable<n>& bounds, std::int32_t count, const Rect& tile) {
+    const R left = R(float(tile.left)), right = R(float(tile.left + tile.width));
+    const R top = R(float(tile.top)), bottom = R(float(tile.top + tile.height));
     CandidateMask mask = 0;
-    for (std::int32_t k = 0; k < count; ++k) mask |= CandidateMask{overlap(bounds[k], tile)} << k;
-    return mask;
+    for (std::int32_t k = 0; k < count; k += kWidth<R>) {
+        const auto shared = (load<R>(bounds.left + k) < right) & (left < load<R>(bounds.right + k)) &
+                            (load<R>(bounds.top + k) < bottom) & (top < load<R>(bounds.bottom + k));
+        mask |= CandidateMask{bits_of(shared)} << k;
+    }
+    return mask & first_bits(count);
 }
 
+template <class R>
 ZERKALO_INLINE TileView view_of_tile(const Plan& plan, const Rect& tile) {
     TileView view;
-    const CandidateMask mirrors = overlapping(plan.mirror_bounds, plan.mirror_count, tile);
-    view.seen = overlapping(plan.solid_bounds, plan.solid_count, tile) | mirrors << kMaxSolids;
+    const CandidateMask mirrors = overlapping<R>(plan.mirror_bounds, plan.mirror_count, tile);
+    view.seen = overlapping<R>(plan.solid_bounds, plan.solid_count, tile) | mirrors << kMaxSolids;
     view.in_mirror = 0;
     view.in_lobe = 0;
     if (mirrors == 0) return view;
-    view.in_mirror = overlapping(plan.image_bounds, plan.solid_count, tile);
+    view.in_mirror = overlapping<R>(plan.image_bounds, plan.solid_count, tile);
     for (std::int32_t j = 0; j < plan.light_count; ++j) {
-        const CandidateMask shadows = overlapping(plan.shadow_bounds[j], plan.solid_count, tile);
+        const CandidateMask shadows = overlapping<R>(plan.shadow_bounds[j], plan.solid_count, tile);
         view.mirror_blockers.of_light[j] =
             plan.blockers_of_mirror[0].of_light[j] & (shadows | ~CandidateMask{0xffffffffu});
     }
@@ -58,30 +62,52 @@ ZERKALO_INLINE void put(TileColours& colours, int first, Rgb<R> c, bool add) {
     store(colours.b + first, c.b);
 }
 
-/// Writes the tile's part of the picture, each pixel divided by the number of camera samples.
-ZERKALO_INLINE void write_tile(const TileColours& colours, const Rect& tile, std::int32_t antialias,
-                               const LinearImage& image) {
-    const float count = float(antialias);
-    for (std::int32_t y = 0; y < tile.height; ++y) {
-        float* out = image.row(tile.top + y) + 3 * tile.left;
-        const std::int32_t first = y * kTileSide;
-        if (antialias == 1) {
-            for (std::int32_t x = 0; x < tile.width; ++x) {
-                out[3 * x] = colours.r[first + x];
-                out[3 * x + 1] = colours.g[first + x];
-                out[3 * x + 2] = colours.b[first + x];
-            }
+/// Divides the sums by the number of camera samples.
+template <class R>
+ZERKALO_INLINE void average(TileColours& colours, std::int32_t antialias) {
+    const R count = R(float(antialias));
+    for (std::int32_t i = 0; i < kTilePixels; i += kWidth<R>) {
+        store(colours.r + i, load<R>(colours.r + i) / count);
+        store(colours.g + i, load<R>(colours.g + i) / count);
+        store(colours.b + i, load<R>(colours.b + i) / count);
+    }
+}
+
+/// Writes one row of a whole tile.
+template <class R>
+ZERKALO_INLINE void write_whole_row(const TileColours& colours, int first, float* out) {
+    constexpr int kRun = kWidth<R> < kTileSide ? kWidth<R> : kTileSide;
+    for (int x = 0; x < kTileSide; x += kRun) {
+        if constexpr (kRun > 1) {
+            store_triples<kRun>(out + 3 * x, colours.r + first + x, colours.g + first + x, colours.b + first + x);
         } else {
-            for (std::int32_t x = 0; x < tile.width; ++x) {
-                out[3 * x] = colours.r[first + x] / count;
-                out[3 * x + 1] = colours.g[first + x] / count;
-                out[3 * x + 2] = colours.b[first + x] / count;
-            }
+            out[3 * x] = colours.r[first + x];
+            out[3 * x + 1] = colours.g[first + x];
+            out[3 * x + 2] = colours.b[first + x];
         }
     }
 }
 
+/// Writes the tile's part of the picture.
+template <class R>
+ZERKALO_INLINE void write_tile(const TileColours& colours, const Rect& tile, const LinearImage& image) {
+    float* out = image.row(tile.top) + 3 * tile.left;
+    const int end = tile.height * kTileSide;
+    if (tile.width == kTileSide) {
+        for (int first = 0; first < end; first += kTileSide, out = image.below(out)) {
+            write_whole_row<R>(colours, first, out);
+        }
+        return;
+    }
+    for (int first = 0; first < end; first += kTileSide, out = image.below(out)) {
+        float row[3 * kTileSide];
+        write_whole_row<R>(colours, first, row);
+        for (std::int32_t x = 0; x < 3 * tile.width; ++x) out[x] = row[x];
+    }
+}
+
 /// A tile that sees nothing: the background, summed and divided as the samples of rendered pixels are.
+template <class R>
 ZERKALO_INLINE void fill_tile(Rgb<float> background, std::int32_t antialias, const Rect& tile,
                               const LinearImage& image) {
     Rgb<float> c = background;
@@ -90,14 +116,9 @@ ZERKALO_INLINE void fill_tile(Rgb<float> background, std::int32_t antialias, con
         const float count = float(antialias);
         c = {c.r / count, c.g / count, c.b / count};
     }
-    for (std::int32_t y = 0; y < tile.height; ++y) {
-        float* out = image.row(tile.top + y) + 3 * tile.left;
-        for (std::int32_t x = 0; x < tile.width; ++x) {
-            out[3 * x] = c.r;
-            out[3 * x + 1] = c.g;
-            out[3 * x + 2] = c.b;
-        }
-    }
+    TileColours colours;
+    for (int first = 0; first < tile.height * kTileSide; first += kWidth<R>) put(colours, first, spread<R>(c), false);
+    write_tile<R>(colours, tile, image);
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA
