@@ -264,9 +264,29 @@ template <class R>
 ZERKALO_INLINE R flip_sign(R a, R sign) {
     return from_bits(to_bits(a) ^ (to_bits(sign) & Bits<R>(0x80000000u)));
 }
+/// The sign bit of -a.
+template <class R>
+ZERKALO_INLINE Bits<R> opposite_sign(R a) {
+    return (to_bits(a) & Bits<R>(0x80000000u)) ^ Bits<R>(0x80000000u);
+}
 template <class R>
 ZERKALO_INLINE R absolute(R a) {
     return from_bits(to_bits(a) & Bits<R>(0x7fffffffu));
+}
+
+/// From how many values pick() chooses; 0 where the instruction set has no such move.
+template <class R>
+constexpr int kPickable = kWidth<R> >= 8 ? kWidth<R> : 0;
+
+/// table[index] of each lane. Index: a whole number below kPickable<R>; the table holds kPickable<R> values.
+template <class R>
+ZERKALO_INLINE R pick(const float* table, R index) {
+    if constexpr (kPickable<R> > 0) {
+        using Register = typename R::Batch::register_type;
+        return R(typename R::Batch(native_pick(Register(load<R>(table).v), Register(index.v))));
+    } else {
+        return index;
+    }
 }
 
 ZERKALO_INLINE float first_lane(float a) { return a; }

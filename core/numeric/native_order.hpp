@@ -24,11 +24,17 @@ ZERKALO_INLINE __m128 native_max(__m128 a, __m128 b) { return _mm_max_ps(a, b); 
 #if defined(__AVX2__)
 ZERKALO_INLINE __m256 native_min(__m256 a, __m256 b) { return _mm256_min_ps(a, b); }
 ZERKALO_INLINE __m256 native_max(__m256 a, __m256 b) { return _mm256_max_ps(a, b); }
+ZERKALO_INLINE __m256 native_pick(__m256 table, __m256 index) {
+    return _mm256_permutevar8x32_ps(table, _mm256_cvttps_epi32(index));
+}
 #endif
 #if defined(__AVX512F__)
 // With a full mask: GCC 12 warns about the plain form in its own header (bug 105593). The instruction is the same.
 ZERKALO_INLINE __m512 native_min(__m512 a, __m512 b) { return _mm512_maskz_min_ps(0xffff, a, b); }
 ZERKALO_INLINE __m512 native_max(__m512 a, __m512 b) { return _mm512_maskz_max_ps(0xffff, a, b); }
+ZERKALO_INLINE __m512 native_pick(__m512 table, __m512 index) {
+    return _mm512_maskz_permutexvar_ps(0xffff, _mm512_maskz_cvttps_epi32(0xffff, index), table);
+}
 #endif
 
 }  // namespace zerkalo::inline ZERKALO_ISA

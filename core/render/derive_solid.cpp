@@ -169,7 +169,12 @@ void derive_solid(const Scene& scene, std::int32_t k, std::int32_t& slabs, std::
         SlabWriter writer{plan.slabs + slabs};
         if (solid.kind == SolidKind::prism) write_prism(solid, at, writer);
         if (solid.kind == SolidKind::pyramid) write_pyramid(solid, at, writer);
-        out.half_spaces = {rounded(at.middle), slabs, writer.count};
+        out.half_spaces = {rounded(at.middle), slabs, writer.count, {}};
+        for (std::int32_t s = 0; s < writer.count && s < kListedFaces; ++s) {
+            const Vec3<float>& n = plan.slabs[slabs + s].n;
+            FaceNormals& normals = out.half_spaces.normals;
+            normals.x[s] = n.x, normals.y[s] = n.y, normals.z[s] = n.z;
+        }
         slabs += writer.count;
     }
     const Material& m = solid.material;

@@ -101,22 +101,41 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const LobeData& lobe, Candidat
 
     const Rgb<R> background = spread<R>(plan.background);
     Rgb<R> sum{load<R>(queue.r + at), load<R>(queue.g + at), load<R>(queue.b + at)};
-    for (std::uint64_t left = aim.reach; left != 0; left &= left - 1) {
+    for (std::uint64_t left = aim.reach & first_bits(chunk.count); left != 0; left &= left - 1) {
         const std::int32_t s = first_of(left);
-        if (s >= chunk.count) break;
         const Vec3<R> d = frame.m * R(chunk.forward[s]) + frame.t * R(chunk.side[s]) + frame.b * R(chunk.up[s]);
-        CandidateMask asked = 0;
-        const Nearest<R> near = nearest_in_lobe(plan, aim, s, p, d, asked);
-        Mask<R> hit = active & (near.id >= R(0));
-        if (none(hit)) continue;
-        R weight = R(1);
-        if (dips) {
-            const R cosine = ray_cosine(frame, chunk, s);
-            hit = hit & (cosine > R(0));
-            if (weighted) weight = lobe_weight(cosine, inverse_cosine);
+        if (aim.shared >> s & 1) {
+            CandidateMask asked = 0;
+            const Nearest<R> near = nearest_in_lobe(plan, aim, s, p, d, asked);
+            Mask<R> hit = active & (near.id >= R(0));
+            if (none(hit)) continue;
+            R weight = R(1);
+            if (dips) {
+                const R cosine = ray_cosine(frame, chunk, s);
+                hit = hit & (cosine > R(0));
+                if (weighted) weight = lobe_weight(cosine, inverse_cosine);
+            }
+            const Rgb<R> light = solid_light(plan, asked, near, p, d, hit, background, counts) - background;
+            sum = sum + scaled(light, weight);
+        } else {
+            const LobeCandidate<R>& candidate = only_candidate(aim, s);
+            R t = R(0), face = R(0);
+            Mask<R> hit = active;
+            with_candidate_span(plan, candidate, p, d, [&](const Span<FloatNumbers<R>>& span) ZERKALO_INLINE_LAMBDA {
+                hit = (span.entry <= span.exit) & (span.entry > R(0)) & candidate.allowed;
+                t = span.entry;
+                face = span.face_in;
+            });
+            if (none(hit)) continue;
+            R weight = R(1);
+            if (dips) {
+                const R cosine = ray_cosine(frame, chunk, s);
+                hit = hit & (cosine > R(0));
+                if (weighted) weight = lobe_weight(cosine, inverse_cosine);
+            }
+            const Rgb<R> own = light_of_solid<R>(plan, candidate.k, p + d * t, face, d, hit, counts) - background;
+            sum = sum + scaled(select(hit, own, spread<R>(Rgb<float>{0, 0, 0})), weight);
         }
-        const Rgb<R> light = solid_light(plan, asked, near, p, d, hit, background, counts) - background;
-        sum = sum + scaled(light, weight);
     }
     store(queue.r + at, sum.r), store(queue.g + at, sum.g), store(queue.b + at, sum.b);
 }

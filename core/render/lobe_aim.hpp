@@ -23,7 +23,8 @@ template <class R>
 struct LobeAim {
     LobeCandidate<R> candidates[kMaxSolids];
     std::int32_t count;
-    std::uint64_t reach;  // of any of them
+    std::uint64_t reach;   // rays that may meet any of them
+    std::uint64_t shared;  // rays that may meet more than one
     R terms[kHoistedTerms];
 };
 
@@ -67,7 +68,7 @@ template <class R>
 ZERKALO_INLINE void aim_lobe(LobeAim<R>& aim, const Plan& plan, const LobeData& lobe, CandidateMask candidates,
                              const LatticeChunk& chunk, const LobeFrame<R>& frame, Vec3<R> p, Mask<R> active) {
     aim.count = 0;
-    aim.reach = 0;
+    aim.reach = aim.shared = 0;
     int used = 0;
     const LobePilot pilot = pilot_of(frame, p);
     for (CandidateMask left = candidates; left != 0; left &= left - 1) {
@@ -81,6 +82,7 @@ ZERKALO_INLINE void aim_lobe(LobeAim<R>& aim, const Plan& plan, const LobeData& 
             reach = reach_of_chunk(plan, solid, chunk, pilot, frame, p);
         }
         if (reach == 0) continue;
+        aim.shared |= aim.reach & reach;
         aim.reach |= reach;
         LobeCandidate<R>& candidate = aim.candidates[aim.count++];
         candidate.reach = reach;
@@ -117,6 +119,25 @@ ZERKALO_INLINE void with_hoisted_span(const Plan& plan, const SolidPlan& solid, 
     }
 }
 
+/// The only candidate of ray s, which is not shared.
+template <class R>
+ZERKALO_INLINE const LobeCandidate<R>& only_candidate(const LobeAim<R>& aim, std::int32_t s) {
+    const LobeCandidate<R>* candidate = aim.candidates;
+    while (!(candidate->reach >> s & 1)) ++candidate;
+    return *candidate;
+}
+
+/// Hands `use` the span of a candidate along ray d.
+template <class R, class Use>
+ZERKALO_INLINE void with_candidate_span(const Plan& plan, const LobeCandidate<R>& candidate, Vec3<R> p, Vec3<R> d,
+                                        Use use) {
+    if (candidate.terms != nullptr) {
+        with_hoisted_span(plan, *candidate.solid, candidate.terms, d, use);
+    } else {
+        with_span<Faces::entry>(plan, candidate.k, PointOrigin<R>{p}, d, use);
+    }
+}
+
 /// The nearest solid of each lane along ray s of the chunk, d; adds to `asked` the solids that were asked.
 template <class R>
 ZERKALO_INLINE Nearest<R> nearest_in_lobe(const Plan& plan, const LobeAim<R>& aim, std::int32_t s, Vec3<R> p, Vec3<R> d,
@@ -127,14 +148,9 @@ ZERKALO_INLINE Nearest<R> nearest_in_lobe(const Plan& plan, const LobeAim<R>& ai
         if (!(candidate.reach >> s & 1)) continue;
         const SolidPlan& solid = *candidate.solid;
         asked |= CandidateMask{1} << candidate.k;
-        const auto use = [&](const Span<FloatNumbers<R>>& span) ZERKALO_INLINE_LAMBDA {
+        with_candidate_span(plan, candidate, p, d, [&](const Span<FloatNumbers<R>>& span) ZERKALO_INLINE_LAMBDA {
             keep_nearer(best, span, solid, (span.entry <= span.exit) & candidate.allowed);
-        };
-        if (candidate.terms != nullptr) {
-            with_hoisted_span(plan, solid, candidate.terms, d, use);
-        } else {
-            with_span<Faces::entry>(plan, candidate.k, PointOrigin<R>{p}, d, use);
-        }
+        });
     }
     return best;
 }

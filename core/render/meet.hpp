@@ -126,11 +126,7 @@ ZERKALO_INLINE Vec3<R> normal_towards(const Plan& plan, int k, Vec3<R> p, R face
     } else if (solid.shape == ShapeKind::tube) {
         n = tube_normal(solid.tube, p, face);
     } else if (solid.shape == ShapeKind::half_spaces) {
-        const Slab* slabs = plan.slabs + solid.half_spaces.first_slab;
-        for (std::int32_t s = 0; s < solid.half_spaces.slab_count; ++s) {
-            const auto on_face = here & (face == R(slabs[s].index));
-            if (any(on_face)) n = select(on_face, spread<R>(slabs[s].n), n);
-        }
+        n = half_spaces_normal<R>(solid.half_spaces, plan.slabs + solid.half_spaces.first_slab, face, here);
     } else {
         const TriangleData* triangles = plan.triangles + solid.mesh.first;
         for (std::int32_t s = 0; s < solid.mesh.count; ++s) {
@@ -138,9 +134,9 @@ ZERKALO_INLINE Vec3<R> normal_towards(const Plan& plan, int k, Vec3<R> p, R face
             if (any(on_face)) n = select(on_face, spread<R>(triangles[s].normal), n);
         }
     }
-    const R along = dot(n, d);
     // Flip where the normal points along the ray; at exactly 0 either side is right.
-    return {flip_sign(n.x, -along), flip_sign(n.y, -along), flip_sign(n.z, -along)};
+    const Bits<R> flip = opposite_sign(dot(n, d));
+    return {from_bits(to_bits(n.x) ^ flip), from_bits(to_bits(n.y) ^ flip), from_bits(to_bits(n.z) ^ flip)};
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

@@ -44,9 +44,9 @@ ZERKALO_INLINE Rgb<R> queue_gloss(const Plan& plan, const TileView& view, const 
 
 /// The colours of one packet, without what waits in the queue.
 template <bool Glossy, class R>
-ZERKALO_INLINE Rgb<R> packet_light(const Plan& plan, const TileView& view, const PixelLanes<R>& pixel, SubPixel at,
-                                   Mask<R> active, int first, GlossQueues& queues, TileCounts& counts) {
-    const Vec3<R> d = camera_ray(plan, pixel.x, pixel.y, at).d;
+ZERKALO_INLINE Rgb<R> packet_light(const Plan& plan, const TileView& view, Vec3<R> towards, Mask<R> active, int first,
+                                   GlossQueues& queues, TileCounts& counts) {
+    const Vec3<R> d = towards * (R(1) / sqrt(dot(towards, towards)));
     const SharedOrigin camera{kCameraOrigin};
     Nearest<R> near = nearest_solid(plan, view.seen, camera, d);
     Rgb<R> light = spread<R>(plan.background);
@@ -95,11 +95,15 @@ inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const Lin
     const R right_edge = R(float(tile.left + tile.width));
     for (std::int32_t a = 0; a < plan.antialias; ++a) {
         const SubPixel at = sub_pixel(a, plan.antialias);
+        TileColumns<R> columns;
+        fill_columns(columns, plan, tile, at);
         for (int first = 0; first < tile.height * kTileSide; first += kWidth<R>) {
             const PixelLanes<R> pixel = pixel_lanes<R>(tile, first);
             const auto active = (pixel.x < right_edge) & (pixel.y < R(float(tile.top + tile.height)));
             if (none(active)) continue;
-            const Rgb<R> light = packet_light<Glossy>(plan, view, pixel, at, active, first, queues, tile_counts);
+            const Vec3<R> column = columns.towards[first / kWidth<R> % TileColumns<R>::kPackets];
+            const Vec3<R> towards = towards_pixel(plan.camera, column, twice_upwards(plan, pixel.y, at));
+            const Rgb<R> light = packet_light<Glossy>(plan, view, towards, active, first, queues, tile_counts);
             put(colours, first, light, a > 0);
         }
         if constexpr (Glossy)

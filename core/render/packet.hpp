@@ -15,7 +15,15 @@ struct LaneNumbers {
 constexpr LaneNumbers kLaneNumbers{{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15},
                                    {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}};
 
-/// Pixel coordinates of kWidth<R> neighbours of a tile, row-major from its pixel `first`.
+/// Column and row of the pixels of a tile, row-major: of any packet's lanes, from its first pixel's.
+struct TilePlaces {
+    float column[16], row[16];
+};
+constexpr TilePlaces kTilePlaces{{0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7},
+                                 {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1}};
+static_assert(kTileSide == 8);
+
+/// Pixel coordinates of kWidth<R> neighbours of a tile, row-major from its pixel `first`, a multiple of the width.
 template <class R>
 struct PixelLanes {
     R x, y;
@@ -23,10 +31,8 @@ struct PixelLanes {
 
 template <class R>
 ZERKALO_INLINE PixelLanes<R> pixel_lanes(const Rect& tile, int first) {
-    const R index = load<R>(kLaneNumbers.real) + R(float(first));
-    // Exact: small integers. floor(index / 8) through the rounding of a half-step lower value.
-    const R row = (index * R(0.125f) - R(0.4375f)) + R(12582912.0f) - R(12582912.0f);
-    return {index - row * R(float(kTileSide)) + R(float(tile.left)), row + R(float(tile.top))};
+    return {load<R>(kTilePlaces.column + first % kTileSide) + R(float(tile.left)),
+            load<R>(kTilePlaces.row) + R(float(tile.top + first / kTileSide))};
 }
 
 /// A point of the pixel, from its centre, in pixels.
@@ -41,19 +47,54 @@ ZERKALO_INLINE SubPixel sub_pixel(std::int32_t a, std::int32_t n) {
     return {(float(a) + 0.5f) / float(n) - 0.5f, turn_of_phase<float>(phase)};
 }
 
+/// Twice the way from the picture's middle to a pixel's point, to the right and upwards.
+template <class R>
+ZERKALO_INLINE R twice_across(const Plan& plan, R x, SubPixel at) {
+    return (x + x) + (R(2 * at.x) - R(float(plan.width - 1)));
+}
+template <class R>
+ZERKALO_INLINE R twice_upwards(const Plan& plan, R y, SubPixel at) {
+    return R(float(plan.height - 1)) - (y + y) - R(2 * at.y);
+}
+
+/// Seed formulas 2.5-2.10 with the pixel's centre; see CameraPlan. The part that a column of pixels shares, and the
+/// whole, not normalised.
+template <class R>
+ZERKALO_INLINE Vec3<R> towards_column(const CameraPlan& camera, R across) {
+    return camera.view + camera.step_x * across;
+}
+template <class R>
+ZERKALO_INLINE Vec3<R> towards_pixel(const CameraPlan& camera, Vec3<R> column, R upwards) {
+    return column + camera.step_y * upwards;
+}
+
+/// Directions to the columns of a tile, by packet.
+template <class R>
+struct TileColumns {
+    static constexpr int kPackets = kWidth<R> < kTileSide ? kTileSide / kWidth<R> : 1;
+    Vec3<R> towards[kPackets];
+};
+
+template <class R>
+ZERKALO_INLINE void fill_columns(TileColumns<R>& columns, const Plan& plan, const Rect& tile, SubPixel at) {
+    for (int c = 0; c < TileColumns<R>::kPackets; ++c) {
+        const R x = pixel_lanes<R>(tile, c * kWidth<R>).x;
+        columns.towards[c] = towards_column(plan.camera, twice_across(plan, x, at));
+    }
+}
+
 template <class R>
 struct CameraRay {
     Vec3<R> o, d;
     R t_min;
 };
 
-/// Seed formulas 2.5-2.10 with the pixel's centre; see CameraPlan.
+/// The ray through a pixel's point, also from far away.
 template <class R>
 ZERKALO_INLINE CameraRay<R> camera_ray(const Plan& plan, R x, R y, SubPixel at) {
     const CameraPlan& camera = plan.camera;
-    const R across = (x + x) + (R(2 * at.x) - R(float(plan.width - 1)));
-    const R upwards = R(float(plan.height - 1)) - (y + y) - R(2 * at.y);
-    const Vec3<R> towards = camera.view + camera.step_x * across + camera.step_y * upwards;
+    const R across = twice_across(plan, x, at), upwards = twice_upwards(plan, y, at);
+    const Vec3<R> towards = towards_pixel(camera, towards_column(camera, across), upwards);
     const R length = sqrt(dot(towards, towards));
     CameraRay<R> ray{spread<R>(camera.origin), towards * (R(1) / length), R(0)};
     if (plan.features & kFeatureFar) {

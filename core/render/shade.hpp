@@ -38,6 +38,15 @@ ZERKALO_INLINE Rgb<R> local_light(const Plan& plan, const Spot<R>& spot, const S
     return sum;
 }
 
+/// Light that solid k sends back along the rays from p, in the lanes of `here`; the others are meaningless.
+template <class R>
+ZERKALO_INLINE Rgb<R> light_of_solid(const Plan& plan, int k, Vec3<R> p, R face, Vec3<R> d, Mask<R> here,
+                                     TileCounts& counts) {
+    const SolidPlan& solid = plan.solids[k];
+    const Spot<R> spot{p, normal_towards(plan, k, p, face, d, here), d, R(solid.id), here};
+    return local_light(plan, spot, solid.surface, plan.blockers_of_solid[k], counts);
+}
+
 /// Light that the hit solids send back along the rays, solid by solid; `otherwise` where no lane is active.
 template <class R>
 ZERKALO_INLINE Rgb<R> solid_light(const Plan& plan, CandidateMask candidates, const Nearest<R>& near, Vec3<R> o,
@@ -46,11 +55,9 @@ ZERKALO_INLINE Rgb<R> solid_light(const Plan& plan, CandidateMask candidates, co
     Rgb<R> light = otherwise;
     for (CandidateMask left = solids_in(candidates); left != 0; left &= left - 1) {
         const int k = first_of(left);
-        const SolidPlan& solid = plan.solids[k];
-        const auto here = active & (near.id == R(solid.id));
+        const auto here = active & (near.id == R(plan.solids[k].id));
         if (none(here)) continue;
-        const Spot<R> spot{p, normal_towards(plan, k, p, near.face, d, Mask<R>(here)), d, R(solid.id), Mask<R>(here)};
-        const Rgb<R> own = local_light(plan, spot, solid.surface, plan.blockers_of_solid[k], counts);
+        const Rgb<R> own = light_of_solid<R>(plan, k, p, near.face, d, here, counts);
         light.r = select(here, own.r, light.r);
         light.g = select(here, own.g, light.g);
         light.b = select(here, own.b, light.b);

@@ -13,8 +13,10 @@ using CandidateMask = std::uint64_t;  // bit k: solid k; bit kMaxSolids + m: mir
 
 constexpr CandidateMask solids_in(CandidateMask mask) { return mask & 0xffffffffu; }
 constexpr CandidateMask mirrors_in(CandidateMask mask) { return mask >> kMaxSolids; }
-/// Bits 0 to count - 1.
-constexpr CandidateMask first_bits(std::int32_t count) { return (CandidateMask{1} << count) - 1; }
+/// Bits 0 to count - 1, count <= 64.
+constexpr CandidateMask first_bits(std::int32_t count) {
+    return count < 64 ? (CandidateMask{1} << count) - 1 : ~CandidateMask{0};
+}
 ZERKALO_INLINE int first_of(CandidateMask mask) { return __builtin_ctzll(mask); }
 
 /// The nearest solid of each lane. t is infinite and id -1 where there is none.

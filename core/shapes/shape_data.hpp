@@ -23,10 +23,18 @@ struct Slab {
     float index;  // within its solid: the number of its face
 };
 
+constexpr int kListedFaces = 16;
+
+/// The normals of a solid's first faces, one a lane.
+struct FaceNormals {
+    float x[kListedFaces], y[kListedFaces], z[kListedFaces];
+};
+
 /// An intersection of slabs, `first_slab` into the plan's pool. Faces are numbered like their slabs.
 struct HalfSpacesData {
     Vec3<float> centre;
     std::int32_t first_slab, slab_count;
+    FaceNormals normals;
 };
 
 /// Radius at the centre's height + slope * y, for |y| <= half_height, y measured from `centre` along `axis_y`.
