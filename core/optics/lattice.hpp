@@ -33,28 +33,30 @@ ZERKALO_INLINE B hash_bits(B key) {
 
 constexpr int kLatticeClasses = 4;
 
-/// Where in a tile's hash the two bits of a pixel's block are, and the pixel's corner in it.
-struct BlockPlace {
-    std::uint8_t shift, corner;
+/// The two bits of the class of each pixel of an 8x8 tile; bit p of a mask is pixel p, row-major.
+struct LatticeClasses {
+    std::uint64_t low, high;
 };
-struct BlockPlaces {
-    BlockPlace of_pixel[64];
-};
-constexpr BlockPlaces block_places() {
-    BlockPlaces places{};
-    for (int pixel = 0; pixel < 64; ++pixel) {
-        const int x = pixel % 8, y = pixel / 8;
-        places.of_pixel[pixel] = {static_cast<std::uint8_t>(2 * ((y / 2) * 4 + x / 2)),
-                                  static_cast<std::uint8_t>((y % 2) * 2 + x % 2)};
-    }
-    return places;
-}
-constexpr BlockPlaces kBlockPlaces = block_places();
 
-/// Which class a pixel of an 8x8 tile (row-major) belongs to; `tile_hash` holds two bits for each of its 16 blocks.
-ZERKALO_INLINE int lattice_class(std::uint32_t tile_hash, int pixel) {
-    const BlockPlace place = kBlockPlaces.of_pixel[pixel];
-    return place.corner ^ static_cast<int>((tile_hash >> place.shift) & 3u);
+/// One bit of each block of 2x2 pixels (even bits, block rows of a byte) given to all four pixels of the block.
+constexpr std::uint64_t pixels_of_blocks(std::uint32_t blocks) {
+    std::uint64_t rows = (blocks & 0x55555555u) * 3ull;
+    rows = (rows | rows << 16) & 0x0000ffff0000ffffull;
+    rows = (rows | rows << 8) & 0x00ff00ff00ff00ffull;
+    return rows | rows << 8;
+}
+
+/// A pixel's class: its corner in the block, turned by the block's two bits of the tile's hash.
+constexpr LatticeClasses lattice_classes(std::uint32_t tile_hash) {
+    constexpr std::uint64_t kRightColumns = 0xaaaaaaaaaaaaaaaaull, kLowerRows = 0xff00ff00ff00ff00ull;
+    return {kRightColumns ^ pixels_of_blocks(tile_hash), kLowerRows ^ pixels_of_blocks(tile_hash >> 1)};
+}
+
+constexpr std::uint64_t pixels_of_class(const LatticeClasses& classes, int c) {
+    return (c & 1 ? classes.low : ~classes.low) & (c & 2 ? classes.high : ~classes.high);
+}
+constexpr int class_of_pixel(const LatticeClasses& classes, int pixel) {
+    return static_cast<int>(classes.low >> pixel & 1) | static_cast<int>(classes.high >> pixel & 1) << 1;
 }
 
 /// By how much of a turn a class is rotated, for the given camera sample and mirror bounce.

@@ -67,7 +67,7 @@ ZERKALO_INLINE Rgb<R> trace_packet(const Plan& plan, const TileView& view, const
     const Vec3<R> zero = spread<R>(Vec3<float>{0, 0, 0});
     Rgb<R> sum = spread<R>(Rgb<float>{0, 0, 0});
     const CandidateMask everything =
-        ((CandidateMask{1} << plan.solid_count) - 1) | ((CandidateMask{1} << plan.mirror_count) - 1) << kMaxSolids;
+        first_bits(plan.solid_count) | first_bits(plan.mirror_count) << kMaxSolids;
     const Departure<R> nowhere{R(-1), R(-1), Mask<R>(false)};
     stack.count = 0;
     stack.push(PathPacket<R>{camera.o, camera.d, spread<R>(Rgb<float>{1, 1, 1}), nowhere, active, 0, false, false, 0,
@@ -86,10 +86,10 @@ template <class R>
 ZERKALO_INLINE PathKey<R> path_key(const Plan& plan, const Rect& tile, int first, std::uint32_t camera_sample) {
     alignas(64) float turns[kWidth<R>];
     alignas(64) std::uint32_t pixels[kWidth<R>];
-    const std::uint32_t hash = tile_hash(plan, tile);
+    const LatticeClasses classes = lattice_classes(tile_hash(plan, tile));
     for (int lane = 0; lane < kWidth<R>; ++lane) {
         const int x = (first + lane) % kTileSide, y = (first + lane) / kTileSide;
-        turns[lane] = turn_of_class(lattice_class(hash, first + lane), camera_sample, 0);
+        turns[lane] = turn_of_class(class_of_pixel(classes, first + lane), camera_sample, 0);
         pixels[lane] = static_cast<std::uint32_t>(tile.top + y) * static_cast<std::uint32_t>(plan.width) +
                        static_cast<std::uint32_t>(tile.left + x);
     }

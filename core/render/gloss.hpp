@@ -26,14 +26,14 @@ struct GlossQueue {
     alignas(64) float r[kClassPixels], g[kClassPixels], b[kClassPixels];
     alignas(64) float weight[kClassPixels];
     std::uint8_t pixel[kClassPixels];
-    std::int32_t count = 0;
+    std::int32_t count;
 };
 
-/// The queues of a tile, and the hash that sorts its pixels into them.
+/// The pixels of a tile that wait, and the queues that they are sorted into.
 struct GlossQueues {
     GlossPoints points;
     GlossQueue of_class[kLatticeClasses];
-    std::uint32_t tile_hash;
+    std::uint64_t waiting;  // bit p: pixel p
 };
 
 /// Notes the packet's points and lets the lanes of the mask wait.
@@ -42,18 +42,18 @@ ZERKALO_INLINE void enqueue(GlossQueues& queues, Mask<R> mask, Vec3<R> p, Vec3<R
     GlossPoints& points = queues.points;
     store(points.px + first, p.x), store(points.py + first, p.y), store(points.pz + first, p.z);
     store(points.mx + first, m.x), store(points.my + first, m.y), store(points.mz + first, m.z);
-    for (std::uint32_t bits = bits_of(mask); bits != 0; bits &= bits - 1) {
-        const int pixel = first + __builtin_ctz(bits);
-        GlossQueue& queue = queues.of_class[lattice_class(queues.tile_hash, pixel)];
-        queue.pixel[queue.count++] = static_cast<std::uint8_t>(pixel);
-    }
+    queues.waiting |= std::uint64_t{bits_of(mask)} << first;
 }
 
-/// Fills the last packet with copies of the last entry and clears the sums.
+/// Fills a queue with the pixels of its class, its last packet with copies of the last one, and clears the sums.
 template <class R>
-ZERKALO_INLINE void close_queue(GlossQueue& queue) {
-    std::int32_t padded = queue.count;
-    for (; padded % kWidth<R> != 0; ++padded) queue.pixel[padded] = queue.pixel[queue.count - 1];
+ZERKALO_INLINE void fill_queue(GlossQueue& queue, std::uint64_t pixels) {
+    std::int32_t count = 0;
+    for (; pixels != 0; pixels &= pixels - 1) queue.pixel[count++] = static_cast<std::uint8_t>(first_of(pixels));
+    queue.count = count;
+    if (count == 0) return;
+    std::int32_t padded = count;
+    for (; padded % kWidth<R> != 0; ++padded) queue.pixel[padded] = queue.pixel[count - 1];
     for (std::int32_t at = 0; at < padded; at += kWidth<R>) {
         store(queue.r + at, R(0)), store(queue.g + at, R(0)), store(queue.b + at, R(0));
         store(queue.weight + at, R(0));
@@ -77,13 +77,13 @@ ZERKALO_INLINE R ray_cosine(const LobeFrame<R>& frame, const LatticeChunk& chunk
 /// The lobe rays of one packet for one chunk of the lattice: adds to the queue's sums.
 template <class R>
 ZERKALO_INLINE void shoot_chunk(const Plan& plan, const LobeData& lobe, CandidateMask candidates,
-                                const LatticeChunk& chunk, Vec3<float> normal, float turn, const GlossPoints& points,
+                                const LatticeChunk& chunk, Vec3<float> normal, SineCosine<float> phase, const GlossPoints& points,
                                 GlossQueue& queue, std::int32_t at, TileCounts& counts) {
     const auto active = load<R>(kLaneNumbers.real) < R(float(queue.count - at));
     const std::uint8_t* pixels = queue.pixel + at;
     const Vec3<R> p{gather<R>(points.px, pixels), gather<R>(points.py, pixels), gather<R>(points.pz, pixels)};
     const Vec3<R> m{gather<R>(points.mx, pixels), gather<R>(points.my, pixels), gather<R>(points.mz, pixels)};
-    const LobeFrame<R> frame = lobe_frame(m, turn, spread<R>(normal));
+    const LobeFrame<R> frame = lobe_frame(m, phase, spread<R>(normal));
     LobeAim<R> aim;
     aim_lobe(aim, plan, lobe, candidates, chunk, frame, p, active);
     counts.lobe += count_of(active) * static_cast<std::uint32_t>(chunk.count);
@@ -158,27 +158,26 @@ ZERKALO_INLINE void settle(GlossQueue& queue, const Plan& plan, const MirrorPlan
         colours.g[pixel] += queue.g[at];
         colours.b[pixel] += queue.b[at];
     }
-    queue.count = 0;
 }
 
 /// Traces all waiting pixels of camera sample `sample` and adds what they see in the mirror to their colours.
 template <class R>
-ZERKALO_INLINE void flush(GlossQueues& queues, const Plan& plan, const MirrorPlan& mirror, CandidateMask candidates,
-                          std::uint32_t sample, TileColours& colours, TileCounts& counts) {
-    std::int32_t waiting = 0;
-    for (const GlossQueue& queue : queues.of_class) waiting += queue.count;
-    if (waiting == 0) return;
-    for (GlossQueue& queue : queues.of_class) {
-        if (queue.count > 0) close_queue<R>(queue);
+ZERKALO_INLINE void flush(GlossQueues& queues, const LatticeClasses& classes, const Plan& plan,
+                          const MirrorPlan& mirror, CandidateMask candidates, std::uint32_t sample,
+                          TileColours& colours, TileCounts& counts) {
+    if (queues.waiting == 0) return;
+    for (int c = 0; c < kLatticeClasses; ++c) {
+        fill_queue<R>(queues.of_class[c], queues.waiting & pixels_of_class(classes, c));
     }
+    queues.waiting = 0;
     LatticeChunk chunk;
     for (std::int32_t first = 0; first < plan.samples; first += kChunk) {
         fill_chunk<R>(chunk, mirror.lobe, first, plan.samples);
         for (int c = 0; c < kLatticeClasses; ++c) {
             GlossQueue& queue = queues.of_class[c];
-            const float turn = turn_of_class(c, sample, 0);
+            const SineCosine<float> phase = sincos_turn(turn_of_class(c, sample, 0));
             for (std::int32_t at = 0; at < queue.count; at += kWidth<R>) {
-                shoot_chunk<R>(plan, mirror.lobe, candidates, chunk, mirror.shape.n, turn, queues.points, queue, at,
+                shoot_chunk<R>(plan, mirror.lobe, candidates, chunk, mirror.shape.n, phase, queues.points, queue, at,
                                counts);
             }
         }

@@ -18,9 +18,8 @@ struct LobeFrame {
 };
 
 template <class R>
-ZERKALO_INLINE LobeFrame<R> lobe_frame(Vec3<R> m, float turn, Vec3<R> n) {
+ZERKALO_INLINE LobeFrame<R> lobe_frame(Vec3<R> m, SineCosine<float> phase, Vec3<R> n) {
     const Tangents<R> base = tangents_of(m);
-    const SineCosine<float> phase = sincos_turn(turn);
     const Vec3<R> t = base.t * phase.cosine + base.b * phase.sine;
     const Vec3<R> b = base.b * phase.cosine - base.t * phase.sine;
     return {m, t, b, dot(m, n), dot(t, n), dot(b, n)};

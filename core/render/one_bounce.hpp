@@ -90,7 +90,8 @@ inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const Lin
     TileColours colours;
     TileCounts tile_counts;
     GlossQueues queues;
-    queues.tile_hash = tile_hash(plan, tile);
+    queues.waiting = 0;
+    const LatticeClasses classes = lattice_classes(tile_hash(plan, tile));
     if (Glossy && mirrors_in(view.seen) != 0) view.in_lobe = candidates_of_tile<R>(plan, tile);
     const R right_edge = R(float(tile.left + tile.width));
     for (std::int32_t a = 0; a < plan.antialias; ++a) {
@@ -107,7 +108,8 @@ inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const Lin
             put(colours, first, light, a > 0);
         }
         if constexpr (Glossy)
-            flush<R>(queues, plan, plan.mirrors[0], view.in_lobe, static_cast<std::uint32_t>(a), colours, tile_counts);
+            flush<R>(queues, classes, plan, plan.mirrors[0], view.in_lobe, static_cast<std::uint32_t>(a), colours,
+                     tile_counts);
     }
     if (plan.antialias > 1) average<R>(colours, plan.antialias);
     write_tile<R>(colours, tile, image);

@@ -148,12 +148,26 @@ TEST(LatticeClasses, EveryBlockOfFourPixelsHasOneOfEach) {
     Random random(92);
     for (int round = 0; round < 1000; ++round) {
         const auto hash = static_cast<std::uint32_t>(random.bits());
+        const LatticeClasses classes = lattice_classes(hash);
         for (int block = 0; block < 16; ++block) {
             const int corner = (block / 4) * 16 + (block % 4) * 2;
             unsigned seen = 0;
             for (const int pixel : {corner, corner + 1, corner + 8, corner + 9})
-                seen |= 1u << lattice_class(hash, pixel);
+                seen |= 1u << class_of_pixel(classes, pixel);
             ASSERT_EQ(seen, 15u) << std::hex << "hash " << hash << " block " << block;
+        }
+    }
+}
+
+TEST(LatticeClasses, PixelsOfAClassAreThoseThatHaveIt) {
+    Random random(93);
+    for (int round = 0; round < 1000; ++round) {
+        const LatticeClasses classes = lattice_classes(static_cast<std::uint32_t>(random.bits()));
+        for (int c = 0; c < kLatticeClasses; ++c) {
+            const std::uint64_t pixels = pixels_of_class(classes, c);
+            for (int pixel = 0; pixel < 64; ++pixel) {
+                ASSERT_EQ(pixels >> pixel & 1, class_of_pixel(classes, pixel) == c) << "class " << c << " " << pixel;
+            }
         }
     }
 }
