@@ -122,7 +122,7 @@ ZERKALO_INLINE Mask<R> hidden_by_walls(const Span<FloatNumbers<R>>& span, R dist
 
 /// As hide_by_solid(), for a spot on any side of any surface.
 template <class R>
-ZERKALO_INLINE void hide_anywhere(Mask<R>& visible, const Plan& plan, int j, int k, const ToLight<R>& to, Vec3<R> p,
+ZERKALO_INLINE void hide_anywhere(Mask<R>& visible, const Plan& plan, const LightPlan& light, int k, const ToLight<R>& to, Vec3<R> p,
                                   const Departure<R>& spot) {
     const SolidPlan& solid = plan.solids[k];
     const auto own = spot.id == R(solid.id);
@@ -130,7 +130,7 @@ ZERKALO_INLINE void hide_anywhere(Mask<R>& visible, const Plan& plan, int j, int
         const auto hit = mesh_hit(plan.triangles + solid.mesh.first, solid.mesh.count, p, to.l, R(0), to.distance,
                                   sides_open_to(solid, spot));
         visible = visible & (!hit.hit);
-    } else if (plan.lights[j].distant) {
+    } else if (light.data.distant) {
         // Only the surface's own digits are good enough here: look from the spot towards the light.
         with_span<Faces::none>(
             plan, k, PointOrigin<R>{p}, to.l, [&](const Span<FloatNumbers<R>>& span) ZERKALO_INLINE_LAMBDA {
@@ -138,18 +138,18 @@ ZERKALO_INLINE void hide_anywhere(Mask<R>& visible, const Plan& plan, int j, int
             });
     } else {
         with_span<Faces::none>(
-            plan, k, SharedOrigin{j}, -to.l, [&](const Span<FloatNumbers<R>>& span) ZERKALO_INLINE_LAMBDA {
+            plan, k, light.origin, -to.l, [&](const Span<FloatNumbers<R>>& span) ZERKALO_INLINE_LAMBDA {
                 visible = visible & (!hidden_by_walls(span, to.distance, own, spot.inside, span.entry > R(0)));
             });
     }
 }
 
 template <class R>
-ZERKALO_INLINE Mask<R> visible_anywhere(const Plan& plan, int j, CandidateMask blockers, const ToLight<R>& to,
+ZERKALO_INLINE Mask<R> visible_anywhere(const Plan& plan, const LightPlan& light, CandidateMask blockers, const ToLight<R>& to,
                                         Vec3<R> p, const Departure<R>& spot, Mask<R> lit) {
     Mask<R> visible = lit;
     for (CandidateMask left = solids_in(blockers); left != 0; left &= left - 1) {
-        hide_anywhere(visible, plan, j, first_of(left), to, p, spot);
+        hide_anywhere(visible, plan, light, first_of(left), to, p, spot);
         if (none(visible)) return visible;
     }
     for (CandidateMask left = mirrors_in(blockers); left != 0; left &= left - 1) {

@@ -161,7 +161,7 @@ void derive_blockers(const Scene& scene, const Surroundings& around, Plan& plan)
     for (std::int32_t j = 0; j < scene.light_count; ++j) {
         const Point& light = scene.lights[j].position;
         for (std::int32_t k = 0; k < scene.solid_count; ++k) {
-            plan.shared_bounds[j][k] = shared_bound(light, plan.solids[k]);
+            plan.lights[j].bounds[k] = shared_bound(light, plan.solids[k]);
         }
         for (std::int32_t k = 0; k < scene.solid_count; ++k) {
             std::uint64_t& mask = plan.blockers_of_solid[k].of_light[j];

@@ -115,8 +115,9 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const LobeData& lobe, Candidat
                 hit = hit & (cosine > R(0));
                 if (weighted) weight = lobe_weight(cosine, inverse_cosine);
             }
-            const Rgb<R> light = solid_light(plan, asked, near, p, d, hit, background, counts) - background;
-            sum = sum + scaled(light, weight);
+            Rgb<R> light = solid_light(plan, asked, near, p, d, hit, background, counts) - background;
+            if (weighted) light = scaled(light, weight);
+            sum = sum + light;
         } else {
             const LobeCandidate<R>& candidate = only_candidate(aim, s);
             R t = R(0), face = R(0);
@@ -133,8 +134,9 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const LobeData& lobe, Candidat
                 hit = hit & (cosine > R(0));
                 if (weighted) weight = lobe_weight(cosine, inverse_cosine);
             }
-            const Rgb<R> own = light_of_solid<R>(plan, candidate.k, p + d * t, face, d, hit, counts) - background;
-            sum = sum + scaled(select(hit, own, spread<R>(Rgb<float>{0, 0, 0})), weight);
+            Rgb<R> light = light_of_solid<R>(plan, candidate.k, p + d * t, face, d, hit, counts) - background;
+            if (weighted) light = scaled(light, weight);
+            sum = sum + select(hit, light, spread<R>(Rgb<float>{0, 0, 0}));
         }
     }
     store(queue.r + at, sum.r), store(queue.g + at, sum.g), store(queue.b + at, sum.b);

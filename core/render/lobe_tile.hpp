@@ -23,7 +23,7 @@ template <class R>
 ZERKALO_INLINE TileLobe lobe_of_tile(const Plan& plan, const Rect& tile) {
     const MirrorPlan& mirror = plan.mirrors[0];
     const CameraPlan& camera = plan.camera;
-    const float height = plan.shared_mirrors[kCameraOrigin][0].z;
+    const float height = plan.camera_origin.mirrors[0].z;
     const float across = float(2 * tile.left + tile.width - plan.width);
     const float upwards = float(plan.height - 2 * tile.top - tile.height);
     const Vec3<float> middle = camera.view + camera.step_x * across + camera.step_y * upwards;

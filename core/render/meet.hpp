@@ -1,6 +1,6 @@
 // One solid met by one packet of rays: the closed list of shapes and the two kinds of origin.
 //
-// A shared origin (camera, light) has its terms in the plan; a varying one (a mirror point) computes them per lane.
+// A shared origin (camera, light) has its terms in the plan (SharedOrigin); a varying one (a mirror point) computes them per lane.
 // The bits are the same either way: hoisting moves an operation, it never changes one.
 #pragma once
 
@@ -13,11 +13,6 @@
 
 namespace zerkalo::inline ZERKALO_ISA {
 
-/// All rays start in one point: index into Plan::shared_*.
-struct SharedOrigin {
-    int index;
-};
-
 /// One origin a lane.
 template <class R>
 struct PointOrigin {
@@ -25,27 +20,27 @@ struct PointOrigin {
 };
 
 template <class R>
-ZERKALO_INLINE auto sphere_origin(const Plan& plan, const SolidPlan&, int k, SharedOrigin origin) {
-    const SharedSolid& shared = plan.shared_solids[origin.index][k];
+ZERKALO_INLINE auto sphere_origin(const SolidPlan&, int k, const SharedOrigin& origin) {
+    const SharedSolid& shared = origin.solids[k];
     return SphereOrigin<FloatNumbers<float>>{shared.from, shared.c};
 }
 template <class R>
-ZERKALO_INLINE auto sphere_origin(const Plan&, const SolidPlan& solid, int, const PointOrigin<R>& origin) {
+ZERKALO_INLINE auto sphere_origin(const SolidPlan& solid, int, const PointOrigin<R>& origin) {
     return sphere_seen_from<FloatNumbers<R>>(solid.sphere, origin.o);
 }
 
 template <class R>
-ZERKALO_INLINE auto tube_origin(const Plan& plan, const SolidPlan&, int k, SharedOrigin origin) {
-    return plan.shared_solids[origin.index][k].from;
+ZERKALO_INLINE auto tube_origin(const SolidPlan&, int k, const SharedOrigin& origin) {
+    return origin.solids[k].from;
 }
 template <class R>
-ZERKALO_INLINE auto tube_origin(const Plan&, const SolidPlan& solid, int, const PointOrigin<R>& origin) {
+ZERKALO_INLINE auto tube_origin(const SolidPlan& solid, int, const PointOrigin<R>& origin) {
     return tube_seen_from<FloatNumbers<R>>(solid.tube, origin.o);
 }
 
 template <class R>
-ZERKALO_INLINE auto mirror_origin(const Plan& plan, int m, SharedOrigin origin) {
-    return plan.shared_mirrors[origin.index][m];
+ZERKALO_INLINE auto mirror_origin(const Plan&, int m, const SharedOrigin& origin) {
+    return origin.mirrors[m];
 }
 template <class R>
 ZERKALO_INLINE auto mirror_origin(const Plan& plan, int m, const PointOrigin<R>& origin) {
@@ -53,10 +48,10 @@ ZERKALO_INLINE auto mirror_origin(const Plan& plan, int m, const PointOrigin<R>&
 }
 
 template <Faces F, class R>
-ZERKALO_INLINE Span<FloatNumbers<R>> half_spaces_span(const Plan& plan, const HalfSpacesData& body, SharedOrigin origin,
-                                                      Vec3<R> d) {
+ZERKALO_INLINE Span<FloatNumbers<R>> half_spaces_span(const Plan& plan, const HalfSpacesData& body,
+                                                      const SharedOrigin& origin, Vec3<R> d) {
     Span<FloatNumbers<R>> span = whole_span<FloatNumbers<R>>();
-    const SharedSlab* shared = plan.shared_slabs[origin.index] + body.first_slab;
+    const SharedSlab* shared = origin.slabs + body.first_slab;
     const Slab* slabs = plan.slabs + body.first_slab;
     for (std::int32_t s = 0; s < body.slab_count; ++s) {
         clip<F>(span, slabs[s], SlabOrigin<FloatNumbers<float>>{shared[s].lo, shared[s].hi}, d);
@@ -84,13 +79,13 @@ ZERKALO_INLINE void with_span(const Plan& plan, int k, const O& origin, Vec3<R> 
     using N = FloatNumbers<R>;
     const SolidPlan& solid = plan.solids[k];
     if (solid.shape == ShapeKind::sphere) {
-        use(sphere_span<N>(solid.sphere, sphere_origin<R>(plan, solid, k, origin), d));
+        use(sphere_span<N>(solid.sphere, sphere_origin<R>(solid, k, origin), d));
     } else if (solid.shape == ShapeKind::half_spaces) {
         use(half_spaces_span<F>(plan, solid.half_spaces, origin, d));
     } else if (solid.tube.tapered) {
-        use(tube_span<true, F, N>(solid.tube, tube_origin<R>(plan, solid, k, origin), d));
+        use(tube_span<true, F, N>(solid.tube, tube_origin<R>(solid, k, origin), d));
     } else {
-        use(tube_span<false, F, N>(solid.tube, tube_origin<R>(plan, solid, k, origin), d));
+        use(tube_span<false, F, N>(solid.tube, tube_origin<R>(solid, k, origin), d));
     }
 }
 

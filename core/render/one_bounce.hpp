@@ -47,7 +47,7 @@ template <bool Glossy, class R>
 ZERKALO_INLINE Rgb<R> packet_light(const Plan& plan, const TileView& view, Vec3<R> towards, Mask<R> active, int first,
                                    GlossQueues& queues, TileCounts& counts) {
     const Vec3<R> d = towards * (R(1) / sqrt(dot(towards, towards)));
-    const SharedOrigin camera{kCameraOrigin};
+    const SharedOrigin& camera = plan.camera_origin;
     Nearest<R> near = nearest_solid(plan, view.seen, camera, d);
     Rgb<R> light = spread<R>(plan.background);
     const CandidateMask mirrors = mirrors_in(view.seen);
@@ -63,7 +63,7 @@ ZERKALO_INLINE Rgb<R> packet_light(const Plan& plan, const TileView& view, Vec3<
     if (none(on_mirror)) return light;
 
     const MirrorPlan& mirror = plan.mirrors[0];
-    const bool front = plan.shared_mirrors[kCameraOrigin][0].z > 0;
+    const bool front = camera.mirrors[0].z > 0;
     const Vec3<R> n = spread<R>(mirror.shape.n);
     const Spot<R> spot{o + d * crossing.t, front ? n : -n, d, R(float(kMaxSolids)), on_mirror};
     const SurfaceData& surface = front ? mirror.front : mirror.back;
@@ -93,6 +93,7 @@ inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const Lin
     queues.waiting = 0;
     const LatticeClasses classes = lattice_classes(tile_hash(plan, tile));
     if (Glossy && mirrors_in(view.seen) != 0) view.in_lobe = candidates_of_tile<R>(plan, tile);
+    const bool whole = tile.width == kTileSide && tile.height == kTileSide;
     const R right_edge = R(float(tile.left + tile.width));
     for (std::int32_t a = 0; a < plan.antialias; ++a) {
         const SubPixel at = sub_pixel(a, plan.antialias);
@@ -100,8 +101,11 @@ inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const Lin
         fill_columns(columns, plan, tile, at);
         for (int first = 0; first < tile.height * kTileSide; first += kWidth<R>) {
             const PixelLanes<R> pixel = pixel_lanes<R>(tile, first);
-            const auto active = (pixel.x < right_edge) & (pixel.y < R(float(tile.top + tile.height)));
-            if (none(active)) continue;
+            auto active = Mask<R>(true);
+            if (!whole) {
+                active = (pixel.x < right_edge) & (pixel.y < R(float(tile.top + tile.height)));
+                if (none(active)) continue;
+            }
             const Vec3<R> column = columns.towards[first / kWidth<R> % TileColumns<R>::kPackets];
             const Vec3<R> towards = towards_pixel(plan.camera, column, twice_upwards(plan, pixel.y, at));
             const Rgb<R> light = packet_light<Glossy>(plan, view, towards, active, first, queues, tile_counts);

@@ -15,8 +15,6 @@ constexpr int kTilePixels = kTileSide * kTileSide;
 constexpr int kWidestLane = 16;
 static_assert(kMaxMirrors <= kWidestLane);
 constexpr int kMaxSlabs = kMaxSolids * (kMaxSides + 1);
-constexpr int kMaxOrigins = kMaxLights + 1;  // origins that all rays of a kind share: the camera and the lights
-constexpr int kCameraOrigin = kMaxLights;
 
 /// What a frame uses. A kernel that lacks a feature contains no code for it.
 enum Feature : std::uint32_t {
@@ -71,7 +69,6 @@ struct CameraPlan {
     float pull;
 };
 
-/// Origin terms that all rays from one shared origin have in common (shapes/*.hpp: ..._seen_from).
 struct SharedSlab {
     float lo, hi;
 };
@@ -80,11 +77,24 @@ struct SharedSolid {
     float c;
 };
 
+/// One origin of many rays, the camera or a light, and what all of them have in common (shapes/*.hpp: ..._seen_from).
+struct SharedOrigin {
+    SharedSolid solids[kMaxSolids];
+    SharedSlab slabs[kMaxSlabs];
+    Vec3<float> mirrors[kMaxMirrors];
+};
+
 /// A solid's bounding sphere as a light sees it: its centre from there, and |centre|^2 - radius^2 with room for
 /// rounding.
 struct SharedBound {
     Vec3<float> centre;
     float beyond;
+};
+
+struct LightPlan {
+    LightData data;
+    SharedBound bounds[kMaxSolids];
+    SharedOrigin origin;
 };
 
 /// Pixels that a projection can touch: left <= x < right, top <= y < bottom.
@@ -124,12 +134,9 @@ struct Plan {
     CameraPlan camera;
     SolidPlan solids[kMaxSolids];
     MirrorPlan mirrors[kMaxMirrors];
-    LightData lights[kMaxLights];
+    LightPlan lights[kMaxLights];
+    SharedOrigin camera_origin;
     Slab slabs[kMaxSlabs];
-    SharedSlab shared_slabs[kMaxOrigins][kMaxSlabs];
-    SharedSolid shared_solids[kMaxOrigins][kMaxSolids];
-    Vec3<float> shared_mirrors[kMaxOrigins][kMaxMirrors];
-    SharedBound shared_bounds[kMaxLights][kMaxSolids];
     TriangleData triangles[kMaxTriangles];
 
     // Culling. Bit k of a mask is solid k, bit kMaxSolids + k is mirror k.

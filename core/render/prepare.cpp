@@ -109,28 +109,28 @@ void derive_camera(const Viewpoint& eye, const Surroundings& around, Plan& plan)
 }
 
 /// What all rays from one origin have in common, in the kernels' own arithmetic.
-void derive_shared(Plan& plan, int index, Vec3<float> origin) {
+void derive_shared(const Plan& plan, Vec3<float> point, SharedOrigin& out) {
     using N = FloatNumbers<float>;
     for (std::int32_t k = 0; k < plan.solid_count; ++k) {
         const SolidPlan& solid = plan.solids[k];
-        SharedSolid& shared = plan.shared_solids[index][k];
-        shared = {origin, 0};
+        SharedSolid& shared = out.solids[k];
+        shared = {point, 0};
         if (solid.shape == ShapeKind::sphere) {
-            const auto from = sphere_seen_from<N>(solid.sphere, origin);
+            const auto from = sphere_seen_from<N>(solid.sphere, point);
             shared = {from.f, from.c};
         } else if (solid.shape == ShapeKind::tube) {
-            shared.from = tube_seen_from<N>(solid.tube, origin);
+            shared.from = tube_seen_from<N>(solid.tube, point);
         } else if (solid.shape == ShapeKind::half_spaces) {
             const HalfSpacesData& body = solid.half_spaces;
-            const Vec3<float> o = origin - body.centre;
+            const Vec3<float> o = point - body.centre;
             for (std::int32_t s = body.first_slab; s < body.first_slab + body.slab_count; ++s) {
                 const auto from = slab_seen_from<N>(plan.slabs[s], o);
-                plan.shared_slabs[index][s] = {from.lo, from.hi};
+                out.slabs[s] = {from.lo, from.hi};
             }
         }
     }
     for (std::int32_t m = 0; m < plan.mirror_count; ++m) {
-        plan.shared_mirrors[index][m] = mirror_seen_from<N>(plan.mirrors[m].shape, origin);
+        out.mirrors[m] = mirror_seen_from<N>(plan.mirrors[m].shape, point);
     }
 }
 
@@ -150,8 +150,8 @@ void derive_objects(const Scene& scene, const Settings& settings, const Surround
         derive_mirror(scene.mirrors[m], scene.ambient, settings, plan.mirrors[m]);
     }
     for (std::int32_t j = 0; j < scene.light_count; ++j) {
-        plan.lights[j] = derive_light(scene.lights[j]);
-        plan.lights[j].distant = is_far(scene.lights[j].position, around);
+        plan.lights[j].data = derive_light(scene.lights[j]);
+        plan.lights[j].data.distant = is_far(scene.lights[j].position, around);
     }
 }
 
@@ -184,8 +184,8 @@ void derive_features(const Scene& scene, Plan& plan) {
     }
     if (near_or_inside(plan, scene, scene.camera.position)) plan.features |= kFeatureInside;
     for (std::int32_t j = 0; j < plan.light_count; ++j) {
-        if (plan.lights[j].inverse_square) plan.features |= kFeatureFalloff;
-        if (plan.lights[j].distant) plan.features |= kFeatureFar;
+        if (plan.lights[j].data.inverse_square) plan.features |= kFeatureFalloff;
+        if (plan.lights[j].data.distant) plan.features |= kFeatureFar;
         if (near_or_inside(plan, scene, scene.lights[j].position)) plan.features |= kFeatureInside;
     }
     if (plan.light_count > 0 && plan.solid_count + plan.mirror_count > 1) plan.features |= kFeatureShadow;
@@ -219,8 +219,10 @@ Status prepare(const Scene& scene, const Settings& settings, Plan& plan) {
         return Status{"depth_limit", "must be at most 16 in a scene with a surface that both reflects and transmits",
                       Part::settings, 0};
     }
-    derive_shared(plan, kCameraOrigin, plan.camera.origin);
-    for (std::int32_t j = 0; j < plan.light_count; ++j) derive_shared(plan, j, plan.lights[j].position);
+    derive_shared(plan, plan.camera.origin, plan.camera_origin);
+    for (std::int32_t j = 0; j < plan.light_count; ++j) {
+        derive_shared(plan, plan.lights[j].data.position, plan.lights[j].origin);
+    }
     return kOk;
 }
 

@@ -24,13 +24,14 @@ ZERKALO_INLINE Rgb<R> local_light(const Plan& plan, const Spot<R>& spot, const S
                                   const Blockers& blockers, TileCounts& counts) {
     Rgb<R> sum = spread<R>(surface.ambient);
     for (std::int32_t j = 0; j < plan.light_count; ++j) {
-        const ToLight<R> to = towards(plan.lights[j], spot.p, spot.n);
+        const LightPlan& light = plan.lights[j];
+        const ToLight<R> to = towards(light.data, spot.p, spot.n);
         const auto lit = spot.active & (to.n_dot_l > R(0));
         if (none(lit)) continue;
         counts.shadow += count_of(lit);
-        const auto visible = visible_from_outside(plan, j, blockers.of_light[j], to, spot.own_id, lit);
+        const auto visible = visible_from_outside(plan, light, blockers.of_light[j], to, spot.own_id, lit);
         if (none(visible)) continue;
-        const Rgb<R> share = light_share(plan.lights[j], to, spot.n, -spot.d, surface, visible);
+        const Rgb<R> share = light_share(light.data, to, spot.n, -spot.d, surface, visible);
         sum.r = select(visible, sum.r + share.r, sum.r);
         sum.g = select(visible, sum.g + share.g, sum.g);
         sum.b = select(visible, sum.b + share.b, sum.b);

@@ -61,13 +61,14 @@ ZERKALO_ONCE Rgb<R> local_light_anywhere(const Plan& plan, Vec3<R> p, Vec3<R> n,
                                          CandidateMask own, TileCounts& counts) {
     Rgb<R> sum = spread<R>(surface.ambient);
     for (std::int32_t j = 0; j < plan.light_count; ++j) {
-        const ToLight<R> to = towards(plan.lights[j], p, n);
+        const LightPlan& light = plan.lights[j];
+        const ToLight<R> to = towards(light.data, p, n);
         const auto lit = active & (to.n_dot_l > R(0));
         if (none(lit)) continue;
         counts.shadow += count_of(lit);
-        const auto visible = visible_anywhere(plan, j, blockers.of_light[j] | own, to, p, spot, Mask<R>(lit));
+        const auto visible = visible_anywhere(plan, light, blockers.of_light[j] | own, to, p, spot, Mask<R>(lit));
         if (none(visible)) continue;
-        const Rgb<R> share = light_share(plan.lights[j], to, n, -d, surface, visible);
+        const Rgb<R> share = light_share(light.data, to, n, -d, surface, visible);
         sum = select(visible, sum + share, sum);
     }
     return sum;

@@ -52,10 +52,10 @@ ZERKALO_INLINE Nearest<R> nearest_solid(const Plan& plan, CandidateMask candidat
     return best;
 }
 
-/// Takes away the lanes from which solid k hides light j: the span from the light lies between it and the point.
+/// Takes away the lanes from which solid k hides a light: the span from the light lies between it and the point.
 template <class R>
-ZERKALO_INLINE void hide_by_solid(Mask<R>& visible, const Plan& plan, int j, int k, const ToLight<R>& to, R own_id) {
-    with_span<Faces::none>(plan, k, SharedOrigin{j}, -to.l,
+ZERKALO_INLINE void hide_by_solid(Mask<R>& visible, const Plan& plan, const LightPlan& light, int k, const ToLight<R>& to, R own_id) {
+    with_span<Faces::none>(plan, k, light.origin, -to.l,
                            [&](const Span<FloatNumbers<R>>& span) ZERKALO_INLINE_LAMBDA {
                                const auto hidden = (span.entry > R(0)) & (span.entry < to.distance) &
                                                    (span.entry <= span.exit) & (own_id != R(plan.solids[k].id));
@@ -71,21 +71,21 @@ ZERKALO_INLINE bool may_shade(const SharedBound& bound, const ToLight<R>& to, Ma
     return any(lit & (along > R(0)) & (along * along >= R(bound.beyond)));
 }
 
-/// Lanes of `lit` that see light j. `own_id`: the solid or mirror that each lane stands on.
+/// Lanes of `lit` that see the light. `own_id`: the solid or mirror that each lane stands on.
 template <class R>
-ZERKALO_INLINE Mask<R> visible_from_outside(const Plan& plan, int j, CandidateMask blockers, const ToLight<R>& to,
+ZERKALO_INLINE Mask<R> visible_from_outside(const Plan& plan, const LightPlan& light, CandidateMask blockers, const ToLight<R>& to,
                                             R own_id, Mask<R> lit) {
     Mask<R> visible = lit;
     for (CandidateMask left = solids_in(blockers); left != 0; left &= left - 1) {
         const int k = first_of(left);
-        if (!plan.exact_plan && !may_shade(plan.shared_bounds[j][k], to, visible)) continue;
-        hide_by_solid(visible, plan, j, k, to, own_id);
+        if (!plan.exact_plan && !may_shade(light.bounds[k], to, visible)) continue;
+        hide_by_solid(visible, plan, light, k, to, own_id);
         if (none(visible)) return visible;
     }
     for (CandidateMask left = mirrors_in(blockers); left != 0; left &= left - 1) {
         const int m = first_of(left);
         const auto crossing = plane_mirror_hit<FloatNumbers<R>>(
-            plan.mirrors[m].shape, mirror_origin<R>(plan, m, SharedOrigin{j}), -to.l, R(0));
+            plan.mirrors[m].shape, mirror_origin<R>(plan, m, light.origin), -to.l, R(0));
         const auto hidden = crossing.hit & (crossing.t < to.distance) & (own_id != R(float(kMaxSolids + m)));
         visible = visible & (!hidden);
     }
