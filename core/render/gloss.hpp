@@ -47,7 +47,7 @@ ZERKALO_INLINE void enqueue(GlossQueues& queues, Mask<R> mask, Vec3<R> p, Vec3<R
 
 /// Fills a queue with the pixels of its class, its last packet with copies of the last one, and clears the sums.
 template <class R>
-ZERKALO_INLINE void fill_queue(GlossQueue& queue, std::uint64_t pixels) {
+ZERKALO_INLINE void fill_queue(GlossQueue& queue, std::uint64_t pixels, bool weighted) {
     std::int32_t count = 0;
     for (; pixels != 0; pixels &= pixels - 1) queue.pixel[count++] = static_cast<std::uint8_t>(first_of(pixels));
     queue.count = count;
@@ -56,7 +56,7 @@ ZERKALO_INLINE void fill_queue(GlossQueue& queue, std::uint64_t pixels) {
     for (; padded % kWidth<R> != 0; ++padded) queue.pixel[padded] = queue.pixel[count - 1];
     for (std::int32_t at = 0; at < padded; at += kWidth<R>) {
         store(queue.r + at, R(0)), store(queue.g + at, R(0)), store(queue.b + at, R(0));
-        store(queue.weight + at, R(0));
+        if (weighted) store(queue.weight + at, R(0));
     }
 }
 
@@ -169,7 +169,7 @@ ZERKALO_INLINE void flush(GlossQueues& queues, const LatticeClasses& classes, co
                           TileColours& colours, TileCounts& counts) {
     if (queues.waiting == 0) return;
     for (int c = 0; c < kLatticeClasses; ++c) {
-        fill_queue<R>(queues.of_class[c], queues.waiting & pixels_of_class(classes, c));
+        fill_queue<R>(queues.of_class[c], queues.waiting & pixels_of_class(classes, c), mirror.lobe.max_phong);
     }
     queues.waiting = 0;
     LatticeChunk chunk;

@@ -115,7 +115,7 @@ ZERKALO_INLINE bool may_meet(const SolidPlan& solid, Vec3<R> o, Vec3<R> d, Mask<
 template <class R>
 ZERKALO_INLINE Vec3<R> normal_towards(const Plan& plan, int k, Vec3<R> p, R face, Vec3<R> d, Mask<R> here) {
     const SolidPlan& solid = plan.solids[k];
-    Vec3<R> n = spread<R>(Vec3<float>{0, 1, 0});
+    Vec3<R> n;
     if (solid.shape == ShapeKind::sphere) {
         n = sphere_normal(solid.sphere, p);
     } else if (solid.shape == ShapeKind::tube) {
@@ -123,6 +123,7 @@ ZERKALO_INLINE Vec3<R> normal_towards(const Plan& plan, int k, Vec3<R> p, R face
     } else if (solid.shape == ShapeKind::half_spaces) {
         n = half_spaces_normal<R>(solid.half_spaces, plan.slabs + solid.half_spaces.first_slab, face, here);
     } else {
+        n = spread<R>(Vec3<float>{0, 1, 0});
         const TriangleData* triangles = plan.triangles + solid.mesh.first;
         for (std::int32_t s = 0; s < solid.mesh.count; ++s) {
             const auto on_face = here & (face == R(float(s)));

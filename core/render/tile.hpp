@@ -88,22 +88,27 @@ ZERKALO_INLINE void write_whole_row(const TileColours& colours, int first, float
     }
 }
 
-/// Writes the tile's part of the picture.
+/// Writes the tile's part of the picture from rows that lie `step` apart.
 template <class R>
-ZERKALO_INLINE void write_tile(const TileColours& colours, const Rect& tile, const LinearImage& image) {
+ZERKALO_INLINE void write_rows(const TileColours& colours, int step, const Rect& tile, const LinearImage& image) {
     float* out = image.row(tile.top) + 3 * tile.left;
-    const int end = tile.height * kTileSide;
+    const std::int32_t height = tile.height;
     if (tile.width == kTileSide) {
-        for (int first = 0; first < end; first += kTileSide, out = image.below(out)) {
-            write_whole_row<R>(colours, first, out);
+        for (std::int32_t y = 0; y < height; ++y, out = image.below(out)) {
+            write_whole_row<R>(colours, y * step, out);
         }
         return;
     }
-    for (int first = 0; first < end; first += kTileSide, out = image.below(out)) {
+    for (std::int32_t y = 0; y < height; ++y, out = image.below(out)) {
         float row[3 * kTileSide];
-        write_whole_row<R>(colours, first, row);
+        write_whole_row<R>(colours, y * step, row);
         for (std::int32_t x = 0; x < 3 * tile.width; ++x) out[x] = row[x];
     }
+}
+
+template <class R>
+ZERKALO_INLINE void write_tile(const TileColours& colours, const Rect& tile, const LinearImage& image) {
+    write_rows<R>(colours, kTileSide, tile, image);
 }
 
 /// A tile that sees nothing: the background, summed and divided as the samples of rendered pixels are.
@@ -117,8 +122,8 @@ ZERKALO_INLINE void fill_tile(Rgb<float> background, std::int32_t antialias, con
         c = {c.r / count, c.g / count, c.b / count};
     }
     TileColours colours;
-    for (int first = 0; first < tile.height * kTileSide; first += kWidth<R>) put(colours, first, spread<R>(c), false);
-    write_tile<R>(colours, tile, image);
+    for (int first = 0; first < kTileSide; first += kWidth<R>) put(colours, first, spread<R>(c), false);
+    write_rows<R>(colours, 0, tile, image);
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

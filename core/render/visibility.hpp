@@ -67,8 +67,8 @@ ZERKALO_INLINE void hide_by_solid(Mask<R>& visible, const Plan& plan, const Ligh
 /// a unit direction w passes it only if c.w > 0 and (c.w)^2 >= |c|^2 - radius^2.
 template <class R>
 ZERKALO_INLINE bool may_shade(const SharedBound& bound, const ToLight<R>& to, Mask<R> lit) {
-    const R along = -dot(bound.centre, to.l);
-    return any(lit & (along > R(0)) & (along * along >= R(bound.beyond)));
+    const R against = dot(bound.centre, to.l);
+    return any(lit & (against < R(0)) & (against * against >= R(bound.beyond)));
 }
 
 /// Lanes of `lit` that see the light. `own_id`: the solid or mirror that each lane stands on.
