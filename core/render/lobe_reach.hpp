@@ -65,27 +65,44 @@ ZERKALO_INLINE std::uint64_t rays_near_ball(const LatticeChunk& chunk, Vec3<floa
     return rays;
 }
 
-/// Lanes whose ray from the pilot's point passes the solid widened by `delta` on all sides.
+/// A solid that is not a sphere, widened on all sides, as the pilot sees it.
+struct WidenedSolid {
+    SlabOrigin<FloatNumbers<float>> slabs[kMaxSides + 1];
+    TubeData tube;
+    Vec3<float> tube_from;
+};
+
+ZERKALO_INLINE void widen(WidenedSolid& out, const Plan& plan, const SolidPlan& solid, Vec3<float> p, float delta) {
+    using N = FloatNumbers<float>;
+    if (solid.shape == ShapeKind::half_spaces) {
+        const Slab* slabs = plan.slabs + solid.half_spaces.first_slab;
+        const Vec3<float> o = p - solid.half_spaces.centre;
+        for (std::int32_t s = 0; s < solid.half_spaces.slab_count; ++s) {
+            const auto from = slab_seen_from<N>(slabs[s], o);
+            out.slabs[s] = {from.lo - delta, from.hi + delta};
+        }
+    } else {
+        out.tube = solid.tube;
+        out.tube.mid_radius += delta / solid.tube.normal_scale;
+        out.tube.half_height += delta;
+        out.tube_from = tube_seen_from<N>(out.tube, p);
+    }
+}
+
+/// Lanes whose ray from the pilot's point passes the widened solid.
 template <class R>
-ZERKALO_INLINE Mask<R> passes_widened(const Plan& plan, const SolidPlan& solid, const LobePilot& pilot, float delta,
-                                      Vec3<R> d) {
+ZERKALO_INLINE Mask<R> passes(const WidenedSolid& wide, const Plan& plan, const SolidPlan& solid, Vec3<R> d) {
     using N = FloatNumbers<R>;
     R entry = R(0), exit = R(0);
     if (solid.shape == ShapeKind::half_spaces) {
         Span<N> span = whole_span<N>();
         const Slab* slabs = plan.slabs + solid.half_spaces.first_slab;
-        const Vec3<float> o = pilot.p - solid.half_spaces.centre;
         for (std::int32_t s = 0; s < solid.half_spaces.slab_count; ++s) {
-            const auto from = slab_seen_from<FloatNumbers<float>>(slabs[s], o);
-            clip<Faces::none>(span, slabs[s], SlabOrigin<FloatNumbers<float>>{from.lo - delta, from.hi + delta}, d);
+            clip<Faces::none>(span, slabs[s], wide.slabs[s], d);
         }
         entry = span.entry, exit = span.exit;
     } else {
-        TubeData tube = solid.tube;
-        tube.mid_radius += delta / tube.normal_scale;
-        tube.half_height += delta;
-        const Span<N> span =
-            tube_span<true, Faces::none, N>(tube, tube_seen_from<FloatNumbers<float>>(tube, pilot.p), d);
+        const Span<N> span = tube_span<true, Faces::none, N>(wide.tube, wide.tube_from, d);
         entry = span.entry, exit = span.exit;
     }
     return Mask<R>((entry <= exit) & (exit >= R(0)));
@@ -104,13 +121,15 @@ ZERKALO_INLINE std::uint64_t reach_of_chunk(const Plan& plan, const SolidPlan& s
     // A point at q from the centre strays by at most stray + |q| turning; the rest is room for rounding.
     const float delta = (stray + solid.bound_radius * pilot.turning) * (1 + 0x1p-10f) +
                         0x1p-16f * (solid.bound_radius + sqrt(dot(c, c)));
+    WidenedSolid wide;
+    widen(wide, plan, solid, pilot.p, delta);
     std::uint64_t reach = 0;
     for (std::int32_t s = 0; s < chunk.count; s += kWidth<R>) {
         constexpr std::uint64_t kPacket = (std::uint64_t{1} << kWidth<R>)-1;
         if ((near >> s & kPacket) == 0) continue;
         const Vec3<R> d =
             pilot.m * load<R>(chunk.forward + s) + pilot.t * load<R>(chunk.side + s) + pilot.b * load<R>(chunk.up + s);
-        reach |= static_cast<std::uint64_t>(bits_of(passes_widened(plan, solid, pilot, delta, d))) << s;
+        reach |= static_cast<std::uint64_t>(bits_of(passes(wide, plan, solid, d))) << s;
     }
     return reach & near;
 }
