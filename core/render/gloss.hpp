@@ -68,33 +68,54 @@ ZERKALO_INLINE R gather(const float* source, const std::uint8_t* pixels) {
     return load<R>(lanes);
 }
 
+/// The mirror's normal in the lobe's frame.
+template <class R>
+struct NormalInFrame {
+    R forward, side, up;
+};
+
 /// Cosine of ray s against the mirror's normal.
 template <class R>
-ZERKALO_INLINE R ray_cosine(const LobeFrame<R>& frame, const LatticeChunk& chunk, std::int32_t s) {
-    return frame.m_n * R(chunk.forward[s]) + frame.t_n * R(chunk.side[s]) + frame.b_n * R(chunk.up[s]);
+ZERKALO_INLINE R ray_cosine(const NormalInFrame<R>& n, const LatticeChunk& chunk, std::int32_t s) {
+    return n.forward * R(chunk.forward[s]) + n.side * R(chunk.side[s]) + n.up * R(chunk.up[s]);
 }
 
-/// The lobe rays of one packet for one chunk of the lattice: adds to the queue's sums.
+/// The points and frames of a queue's pixels from number `first` on.
 template <class R>
-ZERKALO_INLINE void shoot_chunk(const Plan& plan, const LobeData& lobe, CandidateMask candidates,
-                                const LatticeChunk& chunk, Vec3<float> normal, SineCosine<float> phase, const GlossPoints& points,
-                                GlossQueue& queue, std::int32_t at, TileCounts& counts) {
+ZERKALO_INLINE void frame_group(GroupFrames<R>& frames, const GlossQueue& queue, std::int32_t first,
+                                const GlossPoints& points, SineCosine<float> phase) {
+    const std::int32_t packets = (queue.count - first + kWidth<R> - 1) / kWidth<R>;
+    frames.packets = packets < kGroupPackets<R> ? packets : kGroupPackets<R>;
+    for (std::int32_t i = 0; i < frames.packets; ++i) {
+        const std::uint8_t* pixels = queue.pixel + first + i * kWidth<R>;
+        const Vec3<R> m{gather<R>(points.mx, pixels), gather<R>(points.my, pixels), gather<R>(points.mz, pixels)};
+        frames.p[i] = {gather<R>(points.px, pixels), gather<R>(points.py, pixels), gather<R>(points.pz, pixels)};
+        frames.frame[i] = lobe_frame(m, phase);
+    }
+}
+
+/// The lobe rays of packet i of a group, number `at` and on in its queue, for one chunk of the lattice: adds to the queue's sums.
+template <class R>
+ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, const GroupAim<R>& group_aim,
+                                const GroupFrames<R>& frames, const LatticeChunk& chunk, GlossQueue& queue,
+                                std::int32_t at, std::int32_t i, TileCounts& counts) {
     const auto active = load<R>(kLaneNumbers.real) < R(float(queue.count - at));
-    const std::uint8_t* pixels = queue.pixel + at;
-    const Vec3<R> p{gather<R>(points.px, pixels), gather<R>(points.py, pixels), gather<R>(points.pz, pixels)};
-    const Vec3<R> m{gather<R>(points.mx, pixels), gather<R>(points.my, pixels), gather<R>(points.mz, pixels)};
-    const LobeFrame<R> frame = lobe_frame(m, phase, spread<R>(normal));
+    const Vec3<R>& p = frames.p[i];
+    const LobeFrame<R>& frame = frames.frame[i];
     LobeAim<R> aim;
-    aim_lobe(aim, plan, lobe, candidates, chunk, frame, p, active);
+    aim_packet(aim, group_aim, plan, frames, i, active);
     counts.lobe += count_of(active) * static_cast<std::uint32_t>(chunk.count);
-    const bool weighted = lobe.max_phong;
-    const bool dips = weighted || any(frame.m_n <= R(lobe.widest_sine));
-    const R inverse_cosine = R(1) / frame.m_n;
+    const bool weighted = mirror.lobe.max_phong;
+    const Vec3<R> normal = spread<R>(mirror.shape.n);
+    NormalInFrame<R> n{dot(frame.m, normal), R(0), R(0)};
+    const bool dips = weighted || any(n.forward <= R(mirror.lobe.widest_sine));
+    if (dips) n.side = dot(frame.t, normal), n.up = dot(frame.b, normal);
+    const R inverse_cosine = R(1) / n.forward;
     if (weighted) {
         // The mean weight counts all rays, also those that meet nothing.
         R weight_sum = load<R>(queue.weight + at);
         for (std::int32_t s = 0; s < chunk.count; ++s) {
-            weight_sum = weight_sum + lobe_weight(ray_cosine(frame, chunk, s), inverse_cosine);
+            weight_sum = weight_sum + lobe_weight(ray_cosine(n, chunk, s), inverse_cosine);
         }
         store(queue.weight + at, weight_sum);
     }
@@ -111,7 +132,7 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const LobeData& lobe, Candidat
             if (none(hit)) continue;
             R weight = R(1);
             if (dips) {
-                const R cosine = ray_cosine(frame, chunk, s);
+                const R cosine = ray_cosine(n, chunk, s);
                 hit = hit & (cosine > R(0));
                 if (weighted) weight = lobe_weight(cosine, inverse_cosine);
             }
@@ -130,7 +151,7 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const LobeData& lobe, Candidat
             if (none(hit)) continue;
             R weight = R(1);
             if (dips) {
-                const R cosine = ray_cosine(frame, chunk, s);
+                const R cosine = ray_cosine(n, chunk, s);
                 hit = hit & (cosine > R(0));
                 if (weighted) weight = lobe_weight(cosine, inverse_cosine);
             }
@@ -173,14 +194,19 @@ ZERKALO_INLINE void flush(GlossQueues& queues, const LatticeClasses& classes, co
     }
     queues.waiting = 0;
     LatticeChunk chunk;
+    GroupFrames<R> frames;
+    GroupAim<R> aim;
     for (std::int32_t first = 0; first < plan.samples; first += kChunk) {
         fill_chunk<R>(chunk, mirror.lobe, first, plan.samples);
         for (int c = 0; c < kLatticeClasses; ++c) {
             GlossQueue& queue = queues.of_class[c];
             const SineCosine<float> phase = sincos_turn(turn_of_class(c, sample, 0));
-            for (std::int32_t at = 0; at < queue.count; at += kWidth<R>) {
-                shoot_chunk<R>(plan, mirror.lobe, candidates, chunk, mirror.shape.n, phase, queues.points, queue, at,
-                               counts);
+            for (std::int32_t at = 0; at < queue.count; at += kGroupPackets<R> * kWidth<R>) {
+                frame_group(frames, queue, at, queues.points, phase);
+                aim_group(aim, plan, mirror.lobe, candidates, chunk, frames);
+                for (std::int32_t i = 0; i < frames.packets; ++i) {
+                    shoot_chunk<R>(plan, mirror, aim, frames, chunk, queue, at + i * kWidth<R>, i, counts);
+                }
             }
         }
     }

@@ -1,7 +1,5 @@
-// A packet of mirror points and the solids that its lobe rays can meet: which rays, which lanes, and every term of the
-// intersections that the origin alone determines.
-//
-// Which rays: render/lobe_reach.hpp.
+// The solids that the lobe rays of a class of pixels can meet: which rays (render/lobe_reach.hpp), and for each packet
+// which lanes, and every term of the intersections that the origin alone determines.
 #pragma once
 
 #include "core/render/lobe_reach.hpp"
@@ -10,10 +8,24 @@ namespace zerkalo::inline ZERKALO_ISA {
 
 constexpr int kHoistedTerms = 48;  // lanes of origin terms that are kept; a solid without room computes its own
 
+/// A solid that some pixels of a class can meet.
+template <class R>
+struct GroupCandidate {
+    std::uint64_t reach;  // bit s: ray s of the chunk may meet the solid from some pixel
+    std::int32_t k;
+    Mask<R> allowed[kGroupPackets<R>];  // lanes whose whole lobe may meet it
+};
+
+template <class R>
+struct GroupAim {
+    GroupCandidate<R> candidates[kMaxSolids];
+    std::int32_t count;
+};
+
 template <class R>
 struct LobeCandidate {
-    std::uint64_t reach;  // bit s: ray s of the chunk may meet the solid in some lane
-    Mask<R> allowed;      // lanes whose whole lobe may meet it
+    std::uint64_t reach;
+    Mask<R> allowed;
     const SolidPlan* solid;
     const R* terms;  // its origin terms, or null
     std::int32_t k;
@@ -63,36 +75,54 @@ ZERKALO_INLINE void hoist(R* terms, const Plan& plan, const SolidPlan& solid, Ve
     }
 }
 
-/// Chooses the candidates of a packet for one chunk of the lattice and hoists their terms.
+/// Chooses the candidates of a class for one chunk of the lattice.
 template <class R>
-ZERKALO_INLINE void aim_lobe(LobeAim<R>& aim, const Plan& plan, const LobeData& lobe, CandidateMask candidates,
-                             const LatticeChunk& chunk, const LobeFrame<R>& frame, Vec3<R> p, Mask<R> active) {
+ZERKALO_INLINE void aim_group(GroupAim<R>& aim, const Plan& plan, const LobeData& lobe, CandidateMask solids,
+                              const LatticeChunk& chunk, const GroupFrames<R>& frames) {
+    aim.count = 0;
+    const LobePilot pilot = pilot_of(frames);
+    for (CandidateMask left = solids; left != 0; left &= left - 1) {
+        const int k = first_of(left);
+        const SolidPlan& solid = plan.solids[k];
+        GroupCandidate<R>& candidate = aim.candidates[aim.count];
+        candidate.k = k;
+        candidate.reach = ~std::uint64_t{0};
+        auto some = Mask<R>(plan.exact_plan != 0);
+        for (std::int32_t i = 0; i < frames.packets; ++i) {
+            candidate.allowed[i] = Mask<R>(true);
+            if (plan.exact_plan) continue;
+            candidate.allowed[i] = lobe_may_meet(solid, lobe, frames.p[i], frames.frame[i].m);
+            some = some | candidate.allowed[i];
+        }
+        if (none(some)) continue;
+        if (!plan.exact_plan) candidate.reach = reach_of_chunk(plan, solid, chunk, pilot, frames);
+        if (candidate.reach != 0) ++aim.count;
+    }
+}
+
+/// Chooses the candidates of packet i of the class and hoists their terms.
+template <class R>
+ZERKALO_INLINE void aim_packet(LobeAim<R>& aim, const GroupAim<R>& group_aim, const Plan& plan,
+                               const GroupFrames<R>& frames, std::int32_t i, Mask<R> active) {
     aim.count = 0;
     aim.reach = aim.shared = 0;
     int used = 0;
-    const LobePilot pilot = pilot_of(frame, p);
-    for (CandidateMask left = candidates; left != 0; left &= left - 1) {
-        const int k = first_of(left);
-        const SolidPlan& solid = plan.solids[k];
-        Mask<R> allowed = active;
-        std::uint64_t reach = ~std::uint64_t{0};
-        if (!plan.exact_plan) {
-            allowed = active & lobe_may_meet(solid, lobe, p, frame.m);
-            if (none(allowed)) continue;
-            reach = reach_of_chunk(plan, solid, chunk, pilot, frame, p);
-        }
-        if (reach == 0) continue;
-        aim.shared |= aim.reach & reach;
-        aim.reach |= reach;
+    for (std::int32_t c = 0; c < group_aim.count; ++c) {
+        const GroupCandidate<R>& chosen = group_aim.candidates[c];
+        const auto allowed = active & chosen.allowed[i];
+        if (none(allowed)) continue;
+        const SolidPlan& solid = plan.solids[chosen.k];
+        aim.shared |= aim.reach & chosen.reach;
+        aim.reach |= chosen.reach;
         LobeCandidate<R>& candidate = aim.candidates[aim.count++];
-        candidate.reach = reach;
+        candidate.reach = chosen.reach;
         candidate.allowed = allowed;
         candidate.solid = &solid;
-        candidate.k = k;
+        candidate.k = chosen.k;
         candidate.terms = nullptr;
         const int count = hoisted_terms<R>(solid);
         if (used + count > kHoistedTerms) continue;
-        hoist(aim.terms + used, plan, solid, p);
+        hoist(aim.terms + used, plan, solid, frames.p[i]);
         candidate.terms = aim.terms + used;
         used += count;
     }

@@ -1,8 +1,8 @@
-// Which lattice rays of a packet can meet a solid: decided for all its lanes at once, with rays in the lanes.
+// Which lattice rays of a class of pixels can meet a solid: decided for all of them at once, with rays in the lanes.
 //
-// The packet's lanes lie side by side and share the lattice. In the lobe's own frame a solid looks nearly the same from
-// each of them: from the first lane, the pilot, plus a stray delta. So a ray that passes the solid widened by delta in
-// the pilot's frame passes the solid in every lane. A ball is tried first, then the widened solid itself.
+// The pixels of a class lie in one tile and share the lattice. In the lobe's own frame a solid looks nearly the same
+// from each of them: from the first one, the pilot, plus a stray delta. So a ray that passes the solid widened by delta
+// in the pilot's frame passes the solid from every pixel. A ball is tried first, then the widened solid itself.
 #pragma once
 
 #include "core/render/lattice_chunk.hpp"
@@ -10,19 +10,18 @@
 
 namespace zerkalo::inline ZERKALO_ISA {
 
-/// The lobe's frame at each mirror point, turned by its class, and its rows against the mirror's normal.
+/// The lobe's frame at each mirror point, turned by its class.
 template <class R>
 struct LobeFrame {
     Vec3<R> m, t, b;
-    R m_n, t_n, b_n;
 };
 
 template <class R>
-ZERKALO_INLINE LobeFrame<R> lobe_frame(Vec3<R> m, SineCosine<float> phase, Vec3<R> n) {
+ZERKALO_INLINE LobeFrame<R> lobe_frame(Vec3<R> m, SineCosine<float> phase) {
     const Tangents<R> base = tangents_of(m);
     const Vec3<R> t = base.t * phase.cosine + base.b * phase.sine;
     const Vec3<R> b = base.b * phase.cosine - base.t * phase.sine;
-    return {m, t, b, dot(m, n), dot(t, n), dot(b, n)};
+    return {m, t, b};
 }
 
 template <class R>
@@ -35,17 +34,36 @@ ZERKALO_INLINE R square(Vec3<R> v) {
     return dot(v, v);
 }
 
-/// The first lane's point and frame, and how far the other frames turn away from it (Frobenius norm).
+/// Pixels that share one decision: fewer ask too often, more stray too far from the pilot (measured).
+constexpr int kGroupPixels = 16;
+template <class R>
+constexpr int kGroupPackets = kWidth<R> < kGroupPixels ? kGroupPixels / kWidth<R> : 1;
+
+/// The mirror points of a class's pixels and their frames, by packet; the last one is filled up with copies.
+template <class R>
+struct GroupFrames {
+    Vec3<R> p[kGroupPackets<R>];
+    LobeFrame<R> frame[kGroupPackets<R>];
+    std::int32_t packets;
+};
+
+/// The first pixel's point and frame, and how far the other frames turn away from it (Frobenius norm).
 struct LobePilot {
     Vec3<float> p, m, t, b;
     float turning;
 };
 
 template <class R>
-ZERKALO_INLINE LobePilot pilot_of(const LobeFrame<R>& frame, Vec3<R> p) {
-    LobePilot pilot{first_lane(p), first_lane(frame.m), first_lane(frame.t), first_lane(frame.b), 0};
-    pilot.turning =
-        sqrt(largest_lane(square(frame.m - pilot.m) + square(frame.t - pilot.t) + square(frame.b - pilot.b)));
+ZERKALO_INLINE LobePilot pilot_of(const GroupFrames<R>& frames) {
+    const LobeFrame<R>& first = frames.frame[0];
+    LobePilot pilot{first_lane(frames.p[0]), first_lane(first.m), first_lane(first.t), first_lane(first.b), 0};
+    R turning = R(0);
+    for (std::int32_t i = 0; i < frames.packets; ++i) {
+        const LobeFrame<R>& frame = frames.frame[i];
+        turning =
+            max(turning, square(frame.m - pilot.m) + square(frame.t - pilot.t) + square(frame.b - pilot.b));
+    }
+    pilot.turning = sqrt(largest_lane(turning));
     return pilot;
 }
 
@@ -108,14 +126,25 @@ ZERKALO_INLINE Mask<R> passes(const WidenedSolid& wide, const Plan& plan, const 
     return Mask<R>((entry <= exit) & (exit >= R(0)));
 }
 
-/// Which rays of the chunk may meet the solid in any lane. Conservative.
+/// The solid's centre in the lobe's frame at each point of a packet.
+template <class R>
+ZERKALO_INLINE Vec3<R> centre_in_frame(const SolidPlan& solid, const LobeFrame<R>& frame, Vec3<R> p) {
+    const Vec3<R> f = solid.bound_centre - p;
+    return {dot(f, frame.t), dot(f, frame.b), dot(f, frame.m)};
+}
+
+/// Which rays of the chunk may meet the solid from any pixel of the class. Conservative.
 template <class R>
 ZERKALO_INLINE std::uint64_t reach_of_chunk(const Plan& plan, const SolidPlan& solid, const LatticeChunk& chunk,
-                                            const LobePilot& pilot, const LobeFrame<R>& frame, Vec3<R> p) {
-    const Vec3<R> f = solid.bound_centre - p;
-    const Vec3<R> in_frame{dot(f, frame.t), dot(f, frame.b), dot(f, frame.m)};
+                                            const LobePilot& pilot, const GroupFrames<R>& frames) {
+    Vec3<R> in_frame = centre_in_frame(solid, frames.frame[0], frames.p[0]);
     const Vec3<float> c = first_lane(in_frame);
-    const float stray = sqrt(largest_lane(square(in_frame - c)));
+    R stray2 = square(in_frame - c);
+    for (std::int32_t i = 1; i < frames.packets; ++i) {
+        in_frame = centre_in_frame(solid, frames.frame[i], frames.p[i]);
+        stray2 = max(stray2, square(in_frame - c));
+    }
+    const float stray = sqrt(largest_lane(stray2));
     const std::uint64_t near = rays_near_ball<R>(chunk, c, solid.bound_radius + stray);
     if (near == 0 || solid.shape == ShapeKind::sphere) return near;
     // A point at q from the centre strays by at most stray + |q| turning; the rest is room for rounding.
