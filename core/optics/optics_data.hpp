@@ -38,4 +38,13 @@ struct LobeData {
     std::uint8_t max_phong;
 };
 
+constexpr int kChunk = 64;         // lattice points held at a time: one bit each in a mask
+constexpr int kChunkPadding = 16;  // of the widest lane
+
+/// A run of lattice points in lobe coordinates (optics/lattice.hpp).
+struct LatticeChunk {
+    float side[kChunk + kChunkPadding], up[kChunk + kChunkPadding], forward[kChunk + kChunkPadding];
+    std::int32_t count;
+};
+
 }  // namespace zerkalo

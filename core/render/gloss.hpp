@@ -4,7 +4,7 @@
 //
 // with w_i the lobe's weight and W their mean: 1 for the seed's Phong lobe (rays below the horizon see the background),
 // min(1, cos_i / cos_o) for max-Phong. Where no ray can meet a solid the sum is empty: the answer is exact without a
-// ray. Pixels that do need rays wait in a queue, so that packets are full; the lattice is computed once a tile. Source
+// ray. Pixels that do need rays wait in a queue, so that packets are full; the lattice's first points are in the plan. Source
 // of max-Phong: Neumann, Neumann, Szirmay-Kalos, "Compact Metallic Reflectance Models", CGF 18(3), 1999.
 #pragma once
 
@@ -193,11 +193,12 @@ ZERKALO_INLINE void flush(GlossQueues& queues, const LatticeClasses& classes, co
         fill_queue<R>(queues.of_class[c], queues.waiting & pixels_of_class(classes, c), mirror.lobe.max_phong);
     }
     queues.waiting = 0;
-    LatticeChunk chunk;
+    LatticeChunk later;
     GroupFrames<R> frames;
     GroupAim<R> aim;
     for (std::int32_t first = 0; first < plan.samples; first += kChunk) {
-        fill_chunk<R>(chunk, mirror.lobe, first, plan.samples);
+        if (first > 0) fill_chunk<R>(later, mirror.lobe, first, plan.samples);
+        const LatticeChunk& chunk = first > 0 ? later : mirror.lattice;
         for (int c = 0; c < kLatticeClasses; ++c) {
             GlossQueue& queue = queues.of_class[c];
             const SineCosine<float> phase = sincos_turn(turn_of_class(c, sample, 0));

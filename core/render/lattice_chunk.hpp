@@ -6,15 +6,7 @@
 
 namespace zerkalo::inline ZERKALO_ISA {
 
-constexpr int kChunk = 64;    // lattice points held at a time: one bit each in a mask
-constexpr int kPadding = 16;  // of the widest lane
-
-/// Points first, first + 1, ... first + count - 1, and the rest of the last packet.
-struct LatticeChunk {
-    alignas(64) float side[kChunk + kPadding], up[kChunk + kPadding], forward[kChunk + kPadding];
-    std::int32_t count;
-};
-
+/// Points first, first + 1, ... and the rest of the last packet.
 template <class R>
 ZERKALO_INLINE void fill_chunk(LatticeChunk& chunk, const LobeData& lobe, std::int32_t first, std::int32_t samples) {
     chunk.count = samples - first < kChunk ? samples - first : kChunk;

@@ -56,6 +56,7 @@ struct MirrorPlan {
     SurfaceData front, back;
     Rgb<float> reflectance;  // F K_r
     LobeData lobe;
+    LatticeChunk lattice;  // the lobe's first points; all of them if `samples` are at most kChunk
     std::uint8_t curved;
     std::uint8_t reflects;
 };

@@ -1,4 +1,5 @@
 #include "core/render/cull.hpp"
+#include "core/render/lattice_chunk.hpp"
 #include "core/render/meet.hpp"
 #include "core/render/render.hpp"
 #include "core/scene/validate.hpp"
@@ -147,7 +148,9 @@ void derive_objects(const Scene& scene, const Settings& settings, const Surround
         plan.bounds.z[k] = solid.bound_centre.z, plan.bounds.radius[k] = solid.bound_radius;
     }
     for (std::int32_t m = 0; m < scene.mirror_count; ++m) {
-        derive_mirror(scene.mirrors[m], scene.ambient, settings, plan.mirrors[m]);
+        MirrorPlan& mirror = plan.mirrors[m];
+        derive_mirror(scene.mirrors[m], scene.ambient, settings, mirror);
+        if (mirror.lobe.glossy) fill_chunk<float>(mirror.lattice, mirror.lobe, 0, settings.samples);
     }
     for (std::int32_t j = 0; j < scene.light_count; ++j) {
         plan.lights[j].data = derive_light(scene.lights[j]);
