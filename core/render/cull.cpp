@@ -164,14 +164,14 @@ void derive_blockers(const Scene& scene, const Surroundings& around, Plan& plan)
             plan.lights[j].bounds[k] = shared_bound(light, plan.solids[k]);
         }
         for (std::int32_t k = 0; k < scene.solid_count; ++k) {
-            std::uint64_t& mask = plan.blockers_of_solid[k].of_light[j];
+            std::uint64_t& mask = plan.solids[k].blockers.of_light[j];
             mask = plan.exact_plan ? everything : blockers_between(scene, around, light, around.solids[k]);
             // The outside of a convex solid cannot shade itself.
             const bool convex = scene.solids[k].kind != SolidKind::mesh;
             if (convex) mask &= ~(std::uint64_t{1} << k);
         }
         for (std::int32_t m = 0; m < scene.mirror_count; ++m) {
-            std::uint64_t& mask = plan.blockers_of_mirror[m].of_light[j];
+            std::uint64_t& mask = plan.mirrors[m].blockers.of_light[j];
             mask = plan.exact_plan ? everything : blockers_between(scene, around, light, around.mirrors[m]);
             const bool plane = !(magnitude(scene.mirrors[m].curvature_radius) < kInfinity);
             if (plane) mask &= ~(std::uint64_t{1} << (kMaxSolids + m));

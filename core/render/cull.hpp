@@ -31,7 +31,7 @@ PixelBounds bounds_of_ball(const Viewpoint& eye, const Ball& ball);
 /// Fills plan.solid_bounds, mirror_bounds, image_bounds and shadow_bounds.
 void derive_bounds(const Scene& scene, const Viewpoint& eye, Plan& plan);
 
-/// Fills plan.blockers_of_solid and blockers_of_mirror.
+/// Fills the blockers and the bounds that the lights see, of solids and mirrors.
 void derive_blockers(const Scene& scene, const Surroundings& around, Plan& plan);
 
 }  // namespace zerkalo

@@ -130,14 +130,9 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
             const Nearest<R> near = nearest_in_lobe(plan, aim, s, p, d, asked);
             Mask<R> hit = active & (near.id >= R(0));
             if (none(hit)) continue;
-            R weight = R(1);
-            if (dips) {
-                const R cosine = ray_cosine(n, chunk, s);
-                hit = hit & (cosine > R(0));
-                if (weighted) weight = lobe_weight(cosine, inverse_cosine);
-            }
+            if (dips) hit = hit & (ray_cosine(n, chunk, s) > R(0));
             Rgb<R> light = solid_light(plan, asked, near, p, d, hit, background, counts) - background;
-            if (weighted) light = scaled(light, weight);
+            if (weighted) light = scaled(light, lobe_weight(ray_cosine(n, chunk, s), inverse_cosine));
             sum = sum + light;
         } else {
             const LobeCandidate<R>& candidate = only_candidate(aim, s);
@@ -149,14 +144,9 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
                 face = span.face_in;
             });
             if (none(hit)) continue;
-            R weight = R(1);
-            if (dips) {
-                const R cosine = ray_cosine(n, chunk, s);
-                hit = hit & (cosine > R(0));
-                if (weighted) weight = lobe_weight(cosine, inverse_cosine);
-            }
-            Rgb<R> light = light_of_solid<R>(plan, candidate.k, p + d * t, face, d, hit, counts) - background;
-            if (weighted) light = scaled(light, weight);
+            if (dips) hit = hit & (ray_cosine(n, chunk, s) > R(0));
+            Rgb<R> light = light_of_solid<R>(plan, *candidate.solid, p + d * t, face, d, hit, counts) - background;
+            if (weighted) light = scaled(light, lobe_weight(ray_cosine(n, chunk, s), inverse_cosine));
             sum = sum + select(hit, light, spread<R>(Rgb<float>{0, 0, 0}));
         }
     }

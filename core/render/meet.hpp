@@ -111,10 +111,10 @@ ZERKALO_INLINE bool may_meet(const SolidPlan& solid, Vec3<R> o, Vec3<R> d, Mask<
     return any(active & (dot(l, l) <= R(solid.bound_radius * solid.bound_radius)));
 }
 
-/// Unit normal at a point of solid k, turned against d (towards where the ray comes from), in the lanes of `here`.
+/// Unit normal at a point of a solid, turned against d (towards where the ray comes from), in the lanes of `here`.
 template <class R>
-ZERKALO_INLINE Vec3<R> normal_towards(const Plan& plan, int k, Vec3<R> p, R face, Vec3<R> d, Mask<R> here) {
-    const SolidPlan& solid = plan.solids[k];
+ZERKALO_INLINE Vec3<R> normal_towards(const Plan& plan, const SolidPlan& solid, Vec3<R> p, R face, Vec3<R> d,
+                                      Mask<R> here) {
     Vec3<R> n;
     if (solid.shape == ShapeKind::sphere) {
         n = sphere_normal(solid.sphere, p);

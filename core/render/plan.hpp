@@ -38,6 +38,11 @@ enum Feature : std::uint32_t {
 /// How the rays of one kind meet a solid: the closed list of kernels behind the six kinds of a scene.
 enum class ShapeKind : std::uint8_t { sphere, half_spaces, tube, mesh };
 
+/// What can stand between each light and one surface.
+struct Blockers {
+    std::uint64_t of_light[kMaxLights];
+};
+
 struct SolidPlan {
     ShapeKind shape;
     float id;  // its index in the scene, as lanes hold it
@@ -49,11 +54,13 @@ struct SolidPlan {
     float bound_radius;  // contains the solid, with room for rounding
     SurfaceData surface;
     TransportData transport;
+    Blockers blockers;
 };
 
 struct MirrorPlan {
     MirrorShape shape;
     SurfaceData front, back;
+    Blockers blockers;
     Rgb<float> reflectance;  // F K_r
     LobeData lobe;
     LatticeChunk lattice;  // the lobe's first points; all of them if `samples` are at most kChunk
@@ -120,11 +127,6 @@ struct BoundTable {
     float x[kMaxSolids], y[kMaxSolids], z[kMaxSolids], radius[kMaxSolids];
 };
 
-/// What can stand between each light and one surface.
-struct Blockers {
-    std::uint64_t of_light[kMaxLights];
-};
-
 struct Plan {
     std::int32_t width, height;
     std::int32_t samples, antialias, depth_limit;
@@ -141,8 +143,6 @@ struct Plan {
     TriangleData triangles[kMaxTriangles];
 
     // Culling. Bit k of a mask is solid k, bit kMaxSolids + k is mirror k.
-    Blockers blockers_of_solid[kMaxSolids];
-    Blockers blockers_of_mirror[kMaxMirrors];
     BoundTable bounds;
     PixelBoundsTable<kMaxSolids> solid_bounds;
     PixelBoundsTable<kWidestLane> mirror_bounds;

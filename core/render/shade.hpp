@@ -39,13 +39,12 @@ ZERKALO_INLINE Rgb<R> local_light(const Plan& plan, const Spot<R>& spot, const S
     return sum;
 }
 
-/// Light that solid k sends back along the rays from p, in the lanes of `here`; the others are meaningless.
+/// Light that a solid sends back along the rays from p, in the lanes of `here`; the others are meaningless.
 template <class R>
-ZERKALO_INLINE Rgb<R> light_of_solid(const Plan& plan, int k, Vec3<R> p, R face, Vec3<R> d, Mask<R> here,
+ZERKALO_INLINE Rgb<R> light_of_solid(const Plan& plan, const SolidPlan& solid, Vec3<R> p, R face, Vec3<R> d, Mask<R> here,
                                      TileCounts& counts) {
-    const SolidPlan& solid = plan.solids[k];
-    const Spot<R> spot{p, normal_towards(plan, k, p, face, d, here), d, R(solid.id), here};
-    return local_light(plan, spot, solid.surface, plan.blockers_of_solid[k], counts);
+    const Spot<R> spot{p, normal_towards(plan, solid, p, face, d, here), d, R(solid.id), here};
+    return local_light(plan, spot, solid.surface, solid.blockers, counts);
 }
 
 /// Light that the hit solids send back along the rays, solid by solid; `otherwise` where no lane is active.
@@ -55,10 +54,10 @@ ZERKALO_INLINE Rgb<R> solid_light(const Plan& plan, CandidateMask candidates, co
     const Vec3<R> p = o + d * near.t;
     Rgb<R> light = otherwise;
     for (CandidateMask left = solids_in(candidates); left != 0; left &= left - 1) {
-        const int k = first_of(left);
-        const auto here = active & (near.id == R(plan.solids[k].id));
+        const SolidPlan& solid = plan.solids[first_of(left)];
+        const auto here = active & (near.id == R(solid.id));
         if (none(here)) continue;
-        const Rgb<R> own = light_of_solid<R>(plan, k, p, near.face, d, here, counts);
+        const Rgb<R> own = light_of_solid<R>(plan, solid, p, near.face, d, here, counts);
         light.r = select(here, own.r, light.r);
         light.g = select(here, own.g, light.g);
         light.b = select(here, own.b, light.b);

@@ -40,7 +40,7 @@ ZERKALO_INLINE TileView view_of_tile(const Plan& plan, const Rect& tile) {
     for (std::int32_t j = 0; j < plan.light_count; ++j) {
         const CandidateMask shadows = overlapping<R>(plan.shadow_bounds[j], plan.solid_count, tile);
         view.mirror_blockers.of_light[j] =
-            plan.blockers_of_mirror[0].of_light[j] & (shadows | ~CandidateMask{0xffffffffu});
+            plan.mirrors[0].blockers.of_light[j] & (shadows | ~CandidateMask{0xffffffffu});
     }
     return view;
 }

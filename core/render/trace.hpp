@@ -134,12 +134,12 @@ ZERKALO_INLINE void shade_solids(const Plan& plan, const PathPacket<R>& ray, con
         const auto here = ray.active & (hit.id == R(solid.id));
         if (none(here)) continue;
         const Vec3<R> p = ray.o + ray.d * hit.t;
-        const Vec3<R> n = normal_towards(plan, k, p, hit.face, ray.d, Mask<R>(here));
+        const Vec3<R> n = normal_towards(plan, solid, p, hit.face, ray.d, Mask<R>(here));
         const Departure<R> spot{R(solid.id), hit.face, hit.from_inside};
         const bool own_counts = solid.shape == ShapeKind::mesh || any(here & hit.from_inside);
         const CandidateMask own = own_counts ? CandidateMask{1} << k : 0;
         add(sum, Mask<R>(here), ray.throughput,
-            local_light_anywhere(plan, p, n, ray.d, spot, Mask<R>(here), solid.surface, plan.blockers_of_solid[k], own,
+            local_light_anywhere(plan, p, n, ray.d, spot, Mask<R>(here), solid.surface, solid.blockers, own,
                                  counts));
         const TransportData& transport = solid.transport;
         if (ray.depth < plan.depth_limit && (transport.reflection > 0 || transport.transmission > 0)) {
@@ -234,7 +234,7 @@ ZERKALO_INLINE void shade_mirrors(const Plan& plan, const PathPacket<R>& ray, co
             if (none(seen)) continue;
             const SurfaceData& surface = side == 0 ? mirror.front : mirror.back;
             add(sum, seen, ray.throughput,
-                local_light_anywhere(plan, p, n, ray.d, spot, seen, surface, plan.blockers_of_mirror[m], 0, counts));
+                local_light_anywhere(plan, p, n, ray.d, spot, seen, surface, plan.mirrors[m].blockers, 0, counts));
         }
         if (mirror.reflects && ray.depth < plan.depth_limit && any(front)) {
             continue_at_mirror(plan, ray, mirror, p, n, spot, Mask<R>(front), key, sum, next, counts);
