@@ -5,13 +5,6 @@
 
 namespace zerkalo::inline ZERKALO_ISA {
 
-/// The corners of a square about its centre, again and again for wider lanes.
-struct Corners {
-    float x[16], y[16];
-};
-constexpr Corners kCorners{{-1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1},
-                           {-1, -1, 1, 1, -1, -1, 1, 1, -1, -1, 1, 1, -1, -1, 1, 1}};
-
 /// The mirror points of a tile lie within `stray` of p; their mirror directions within an angle of m.
 struct TileLobe {
     Vec3<float> p, m;
@@ -24,8 +17,8 @@ ZERKALO_INLINE TileLobe lobe_of_tile(const Plan& plan, const Rect& tile) {
     const MirrorPlan& mirror = plan.mirrors[0];
     const CameraPlan& camera = plan.camera;
     const float height = plan.camera_origin.mirrors[0].z;
-    const float across = float(2 * tile.left + tile.width - plan.width);
-    const float upwards = float(plan.height - 2 * tile.top - tile.height);
+    const float across = float(2 * tile.left + kTileSide - plan.width);
+    const float upwards = float(plan.height - 2 * tile.top - kTileSide);
     const Vec3<float> middle = camera.view + camera.step_x * across + camera.step_y * upwards;
     const float scale = 1 / sqrt(dot(middle, middle));
     const float fall = -dot(mirror.shape.n, middle);
@@ -34,20 +27,18 @@ ZERKALO_INLINE TileLobe lobe_of_tile(const Plan& plan, const Rect& tile) {
     const Vec3<float> from_eye = middle * (height / fall);
     lobe.p = camera.origin + from_eye;
     lobe.m = reflect(middle * scale, mirror.shape.n);
-    float stray2 = 0, turn2 = 0;
-    for (int corner = 0; corner < 4; corner += kWidth<R>) {
-        const Vec3<R> off = camera.step_x * (load<R>(kCorners.x + corner) * R(float(tile.width))) +
-                            camera.step_y * (load<R>(kCorners.y + corner) * R(float(tile.height)));
-        const Vec3<R> d = middle + off;
-        const R corner_fall = -dot(mirror.shape.n, d);
+    float stray2 = 0;
+    for (int corner = 0; corner < kTileCorners; corner += kWidth<R>) {
+        const TileCorners& corners = plan.tile_corners;
+        const Vec3<R> off{load<R>(corners.x + corner), load<R>(corners.y + corner), load<R>(corners.z + corner)};
+        const R corner_fall = R(fall) + load<R>(corners.fall + corner);
         if (!all(corner_fall > R(0))) return lobe;
-        const Vec3<R> away = d * (R(height) / corner_fall) - from_eye;
+        const Vec3<R> away = (off + middle) * (R(height) / corner_fall) - from_eye;
         stray2 = max(stray2, largest_lane(dot(away, away)));
-        turn2 = max(turn2, largest_lane(dot(off, off)));
     }
     // The angle's sine is at most |off| / |middle|; a little more covers rounding.
     constexpr float kRoom = 1 + 0x1p-10f;
-    const float sine = sqrt(turn2) * scale * kRoom;
+    const float sine = plan.tile_corners.reach * scale * kRoom;
     if (!(sine < 0.5f)) return lobe;
     const float cosine = sqrt(1 - sine * sine);
     lobe.stray = sqrt(stray2) * kRoom;

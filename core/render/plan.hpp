@@ -77,6 +77,15 @@ struct CameraPlan {
     float pull;
 };
 
+constexpr int kTileCorners = 4;
+
+/// From the middle of a tile's camera rays, not normalised, to those of its corners: again and again for wider lanes.
+struct TileCorners {
+    float x[kWidestLane], y[kWidestLane], z[kWidestLane];
+    float fall[kWidestLane];  // against the first mirror's normal
+    float reach;              // length of the longest
+};
+
 struct SharedSlab {
     float lo, hi;
 };
@@ -135,6 +144,7 @@ struct Plan {
     std::int32_t solid_count, mirror_count, light_count;
     Rgb<float> background;
     CameraPlan camera;
+    TileCorners tile_corners;
     SolidPlan solids[kMaxSolids];
     MirrorPlan mirrors[kMaxMirrors];
     LightPlan lights[kMaxLights];

@@ -109,6 +109,19 @@ void derive_camera(const Viewpoint& eye, const Surroundings& around, Plan& plan)
     camera.pull = float(pull);
 }
 
+void derive_tile_corners(Plan& plan) {
+    TileCorners& corners = plan.tile_corners;
+    float reach2 = 0;
+    for (std::int32_t lane = 0; lane < kWidestLane; ++lane) {
+        const float right = lane & 1 ? kTileSide : -kTileSide, up = lane & 2 ? kTileSide : -kTileSide;
+        const Vec3<float> off = plan.camera.step_x * right + plan.camera.step_y * up;
+        corners.x[lane] = off.x, corners.y[lane] = off.y, corners.z[lane] = off.z;
+        corners.fall[lane] = -dot(plan.mirrors[0].shape.n, off);
+        reach2 = max(reach2, dot(off, off));
+    }
+    corners.reach = float(square_root(double(reach2)));
+}
+
 /// What all rays from one origin have in common, in the kernels' own arithmetic.
 void derive_shared(const Plan& plan, Vec3<float> point, SharedOrigin& out) {
     using N = FloatNumbers<float>;
@@ -215,6 +228,7 @@ Status prepare(const Scene& scene, const Settings& settings, Plan& plan) {
     derive_objects(scene, settings, around, plan);
     const Viewpoint eye = viewpoint_of(scene.camera, size);
     derive_camera(eye, around, plan);
+    if (plan.mirror_count > 0) derive_tile_corners(plan);
     derive_bounds(scene, eye, plan);
     derive_blockers(scene, around, plan);
     derive_features(scene, plan);
