@@ -82,6 +82,12 @@ ZERKALO_INLINE SineCosine<R> sincos_turn(R x) {
     return {from_bits(to_bits(select(swap, c, s)) ^ sine_sign), from_bits(to_bits(select(swap, s, c)) ^ cosine_sign)};
 }
 
+/// A quarter of a turn on: the bits that sincos_turn(x + 1/4) has, but where x lies in the middle of an eighth.
+template <class R>
+ZERKALO_INLINE SineCosine<R> quarter_turned(SineCosine<R> a) {
+    return {a.cosine, -a.sine};
+}
+
 /// (1 - x)^n for 0 <= x: a cosine power from the chord between two unit vectors, x = |a - b|^2 / 2, exact in shape for
 /// n up to 1e6 where a power of the dot product has lost all digits. Zero for x >= 1. n = 0 gives 1 for x < 1.
 template <class R>

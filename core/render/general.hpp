@@ -106,12 +106,11 @@ inline void render_tile_general(const Plan& plan, const Rect& tile, const Linear
     TileColours colours;
     TileCounts tile_counts;
     PathStack<R> stack;
-    const R right_edge = R(float(tile.left + tile.width));
     for (std::int32_t a = 0; a < plan.antialias; ++a) {
         const SubPixel at = sub_pixel(a, plan.antialias);
         for (int first = 0; first < tile.height * kTileSide; first += kWidth<R>) {
             const PixelLanes<R> pixel = pixel_lanes<R>(tile, first);
-            const auto active = (pixel.x < right_edge) & (pixel.y < R(float(tile.top + tile.height)));
+            const auto active = lanes_inside<R>(tile, first);
             if (none(active)) continue;
             const PathKey<R> key = path_key<R>(plan, tile, first, static_cast<std::uint32_t>(a));
             put(colours, first,

@@ -189,9 +189,9 @@ ZERKALO_INLINE void flush(GlossQueues& queues, const LatticeClasses& classes, co
     for (std::int32_t first = 0; first < plan.samples; first += kChunk) {
         if (first > 0) fill_chunk<R>(later, mirror.lobe, first, plan.samples);
         const LatticeChunk& chunk = first > 0 ? later : mirror.lattice;
-        for (int c = 0; c < kLatticeClasses; ++c) {
+        SineCosine<float> phase = sincos_turn(turn_of_class(0, sample, 0));
+        for (int c = 0; c < kLatticeClasses; ++c, phase = quarter_turned(phase)) {
             GlossQueue& queue = queues.of_class[c];
-            const SineCosine<float> phase = sincos_turn(turn_of_class(c, sample, 0));
             for (std::int32_t at = 0; at < queue.count; at += kGroupPackets<R> * kWidth<R>) {
                 frame_group(frames, queue, at, queues.points, phase);
                 aim_group(aim, plan, mirror.lobe, candidates, chunk, frames);

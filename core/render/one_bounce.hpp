@@ -94,20 +94,18 @@ inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const Lin
     const LatticeClasses classes = lattice_classes(tile_hash(plan, tile));
     if (Glossy && mirrors_in(view.seen) != 0) view.in_lobe = candidates_of_tile<R>(plan, tile);
     const bool whole = tile.width == kTileSide && tile.height == kTileSide;
-    const R right_edge = R(float(tile.left + tile.width));
     for (std::int32_t a = 0; a < plan.antialias; ++a) {
         const SubPixel at = sub_pixel(a, plan.antialias);
         TileColumns<R> columns;
         fill_columns(columns, plan, tile, at);
         for (int first = 0; first < tile.height * kTileSide; first += kWidth<R>) {
-            const PixelLanes<R> pixel = pixel_lanes<R>(tile, first);
             auto active = Mask<R>(true);
             if (!whole) {
-                active = (pixel.x < right_edge) & (pixel.y < R(float(tile.top + tile.height)));
+                active = lanes_inside<R>(tile, first);
                 if (none(active)) continue;
             }
             const Vec3<R> column = columns.towards[first / kWidth<R> % TileColumns<R>::kPackets];
-            const Vec3<R> towards = towards_pixel(plan.camera, column, twice_upwards(plan, pixel.y, at));
+            const Vec3<R> towards = towards_pixel(plan.camera, column, twice_upwards(plan, row_lanes<R>(tile, first), at));
             const Rgb<R> light = packet_light<Glossy>(plan, view, towards, active, first, queues, tile_counts);
             put(colours, first, light, a > 0);
         }

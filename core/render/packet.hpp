@@ -30,9 +30,25 @@ struct PixelLanes {
 };
 
 template <class R>
+ZERKALO_INLINE R column_lanes(const Rect& tile, int first) {
+    return load<R>(kTilePlaces.column + first % kTileSide) + R(float(tile.left));
+}
+template <class R>
+ZERKALO_INLINE R row_lanes(const Rect& tile, int first) {
+    const R row = R(float(tile.top + first / kTileSide));
+    if constexpr (kWidth<R> <= kTileSide) return row;
+    return row + load<R>(kTilePlaces.row);
+}
+template <class R>
 ZERKALO_INLINE PixelLanes<R> pixel_lanes(const Rect& tile, int first) {
-    return {load<R>(kTilePlaces.column + first % kTileSide) + R(float(tile.left)),
-            load<R>(kTilePlaces.row) + R(float(tile.top + first / kTileSide))};
+    return {column_lanes<R>(tile, first), row_lanes<R>(tile, first)};
+}
+
+/// Lanes whose pixel belongs to the tile, which the picture's edge may cut.
+template <class R>
+ZERKALO_INLINE Mask<R> lanes_inside(const Rect& tile, int first) {
+    const PixelLanes<R> pixel = pixel_lanes<R>(tile, first);
+    return (pixel.x < R(float(tile.left + tile.width))) & (pixel.y < R(float(tile.top + tile.height)));
 }
 
 /// A point of the pixel, from its centre, in pixels.
@@ -78,7 +94,7 @@ struct TileColumns {
 template <class R>
 ZERKALO_INLINE void fill_columns(TileColumns<R>& columns, const Plan& plan, const Rect& tile, SubPixel at) {
     for (int c = 0; c < TileColumns<R>::kPackets; ++c) {
-        const R x = pixel_lanes<R>(tile, c * kWidth<R>).x;
+        const R x = column_lanes<R>(tile, c * kWidth<R>);
         columns.towards[c] = towards_column(plan.camera, twice_across(plan, x, at));
     }
 }
