@@ -8,7 +8,6 @@
 
 #include "core/numeric/isa.hpp"
 #include "core/numeric/native_order.hpp"
-#include "core/numeric/shuffle.hpp"
 
 #include <bit>
 #include <cstdint>
@@ -274,31 +273,9 @@ ZERKALO_INLINE R absolute(R a) {
     return from_bits(to_bits(a) & Bits<R>(0x7fffffffu));
 }
 
-/// From how many values pick() chooses; 0 where the instruction set has no such move.
-template <class R>
-constexpr int kPickable = kWidth<R> >= 8 ? kWidth<R> : 0;
-
-/// table[index] of each lane. Index: a whole number below kPickable<R>; the table holds kPickable<R> values.
-template <class R>
-ZERKALO_INLINE R pick(const float* table, R index) {
-    if constexpr (kPickable<R> > 0) {
-        using Register = typename R::Batch::register_type;
-        return R(typename R::Batch(native_pick(Register(load<R>(table).v), Register(index.v))));
-    } else {
-        return index;
-    }
-}
-
 ZERKALO_INLINE float first_lane(float a) { return a; }
-ZERKALO_INLINE float largest_lane(float a) { return a; }
 template <int W>
 ZERKALO_INLINE float first_lane(Lanes<W> a) { return typename FloatBatch<W>::register_type(a.v)[0]; }
-
-/// For decisions about whole packets only: no lane's value may depend on another's.
-template <int W>
-ZERKALO_INLINE float largest_lane(Lanes<W> a) {
-    return largest_of<W>(typename FloatBatch<W>::register_type(a.v));
-}
 
 /// Number of lanes set in the mask.
 template <class M>

@@ -1,7 +1,7 @@
 // Lanes moved to other places, in the compilers' own vectors: the lane library has no such moves before version 9.
 #pragma once
 
-#include "core/numeric/isa.hpp"
+#include "core/numeric/lane.hpp"
 
 #include <utility>
 
@@ -41,6 +41,29 @@ ZERKALO_INLINE float largest_of(FloatVector<n> a) {
         return larger[0];
     } else {
         return largest_of<n, distance / 2>(larger);
+    }
+}
+
+ZERKALO_INLINE float largest_lane(float a) { return a; }
+
+/// No NaN. For decisions about whole packets only: no lane's value may depend on another's.
+template <int W>
+ZERKALO_INLINE float largest_lane(Lanes<W> a) {
+    return largest_of<W>(typename FloatBatch<W>::register_type(a.v));
+}
+
+/// From how many values pick() chooses; 0 where the instruction set has no such move.
+template <class R>
+constexpr int kPickable = kWidth<R> >= 8 ? kWidth<R> : 0;
+
+/// table[index] of each lane. Index: a whole number below kPickable<R>; the table holds kPickable<R> values.
+template <class R>
+ZERKALO_INLINE R pick(const float* table, R index) {
+    if constexpr (kPickable<R> > 0) {
+        using Register = typename R::Batch::register_type;
+        return R(typename R::Batch(native_pick(Register(load<R>(table).v), Register(index.v))));
+    } else {
+        return index;
     }
 }
 

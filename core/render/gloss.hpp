@@ -174,11 +174,11 @@ ZERKALO_INLINE void settle(GlossQueue& queue, const Plan& plan, const MirrorPlan
 }
 
 /// Traces all waiting pixels of camera sample `sample` and adds what they see in the mirror to their colours.
+/// A function of its own, so that its stack and the camera rays' are not held at the same time as one frame's spills.
 template <class R>
-ZERKALO_INLINE void flush(GlossQueues& queues, const LatticeClasses& classes, const Plan& plan,
+ZERKALO_ONCE void flush(GlossQueues& queues, const LatticeClasses& classes, const Plan& plan,
                           const MirrorPlan& mirror, CandidateMask candidates, std::uint32_t sample,
                           TileColours& colours, TileCounts& counts) {
-    if (queues.waiting == 0) return;
     for (int c = 0; c < kLatticeClasses; ++c) {
         fill_queue<R>(queues.of_class[c], queues.waiting & pixels_of_class(classes, c), mirror.lobe.max_phong);
     }

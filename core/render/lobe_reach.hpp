@@ -5,6 +5,7 @@
 // in the pilot's frame passes the solid from every pixel. A ball is tried first, then the widened solid itself.
 #pragma once
 
+#include "core/numeric/shuffle.hpp"
 #include "core/render/lattice_chunk.hpp"
 #include "core/render/visibility.hpp"
 

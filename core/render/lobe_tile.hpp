@@ -1,6 +1,7 @@
 // Which solids the lobes of a tile's pixels can meet at all: one uniform cone for the whole tile. Conservative.
 #pragma once
 
+#include "core/numeric/shuffle.hpp"
 #include "core/render/tile.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {

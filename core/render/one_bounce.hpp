@@ -109,9 +109,12 @@ inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const Lin
             const Rgb<R> light = packet_light<Glossy>(plan, view, towards, active, first, queues, tile_counts);
             put(colours, first, light, a > 0);
         }
-        if constexpr (Glossy)
-            flush<R>(queues, classes, plan, plan.mirrors[0], view.in_lobe, static_cast<std::uint32_t>(a), colours,
-                     tile_counts);
+        if constexpr (Glossy) {
+            if (queues.waiting != 0) {
+                flush<R>(queues, classes, plan, plan.mirrors[0], view.in_lobe, static_cast<std::uint32_t>(a), colours,
+                         tile_counts);
+            }
+        }
     }
     if (plan.antialias > 1) average<R>(colours, plan.antialias);
     write_tile<R>(colours, tile, image);

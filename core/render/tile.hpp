@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry/algebra.hpp"
+#include "core/numeric/shuffle.hpp"
 #include "core/render/shade.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {

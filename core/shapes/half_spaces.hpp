@@ -8,6 +8,7 @@
 #pragma once
 
 #include "core/geometry/ray.hpp"
+#include "core/numeric/shuffle.hpp"
 #include "core/shapes/shape_data.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/numeric/elementary.hpp"
+#include "core/numeric/shuffle.hpp"
 #include "tests/core/probes/probes.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
