@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
-# Every test, on a bare Debian 12 too: installs what is missing, then builds and tests for this machine (preset release)
-# and for 64-bit ARM under emulation (preset aarch64; there without the tests of the oracle, which is no part of zerkalo).
+# Every test, on a bare Debian 12 too: installs what is missing, then builds and tests for this machine (preset release),
+# for 64-bit ARM under emulation (preset aarch64; there without the tests of the oracle, which is no part of zerkalo), and
+# for this machine again with the address and undefined behaviour sanitizers (preset asan-ubsan; without the proofs about
+# objects and sources, which have builds of their own).
 # The last line is the total: "N passed, N failed".
 # Exit code 0 only when something ran and nothing failed; a build that fails counts as one failed test.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-packages=(g++ clang-14 cmake ninja-build binutils python3 libxsimd-dev libtomlplusplus-dev libcli11-dev libbenchmark-dev
+packages=(g++ clang-14 libclang-rt-14-dev cmake ninja-build binutils python3 libxsimd-dev libtomlplusplus-dev libcli11-dev libbenchmark-dev
           libpng-dev libgtest-dev qemu-system-x86)
 arm_packages=(g++-aarch64-linux-gnu binutils-aarch64-linux-gnu qemu-user googletest)
 
@@ -60,4 +62,5 @@ if ! tools/install_packages.sh "${packages[@]}" "${arm_packages[@]}"; then
 fi
 run_preset release
 run_preset aarch64
+run_preset asan-ubsan
 finish
