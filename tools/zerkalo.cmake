@@ -13,6 +13,7 @@ set(zerkalo_sources
   zerkalo/scene_input.cpp
   zerkalo/picture_file.cpp
   zerkalo/picture_difference.cpp
+  zerkalo/difference_map.cpp
   zerkalo/frame.cpp
   zerkalo/render_command.cpp
   zerkalo/compare_command.cpp

@@ -1,9 +1,10 @@
-"""zerkalo compare: the figures against closed forms, and exit code 4."""
+"""zerkalo compare: the figures against closed forms, exit code 4, and the map of the differences."""
+import json
 import math
 import os
 import unittest
 
-from picture_files import write_pfm, write_png
+from picture_files import read_png, write_pfm, write_png
 from program import CommandLineTest
 
 GREY = (100, 100, 100)
@@ -126,6 +127,117 @@ class Compare(CommandLineTest):
         text = self.succeed("compare", a, b).decode()
         self.assertIn("largest 5, PSNR", text)
         self.assertIn("pixels: 2, differing 1, off by more than 1 step 1", text)
+
+class CompareMap(CommandLineTest):
+    """--map OUT.png: the picture of the differences."""
+
+    def setUp(self):
+        super().setUp()
+        self.a, self.b, self.map = self.path("a.png"), self.path("b.png"), self.path("map.png")
+
+    def write_pair(self, a, b):
+        write_png(self.a, a)
+        write_png(self.b, b)
+
+    def map_rows(self, *arguments):
+        self.succeed("compare", self.a, self.b, "--map", self.map, *arguments)
+        width, height, depth, rows = read_png((self.files / "map.png").read_bytes())
+        self.assertEqual((width, height, depth), (len(rows[0]), len(rows), 8))
+        return rows
+
+    def test_every_step_has_the_colour_of_its_class_and_larger_is_brighter(self):
+        self.write_pair([[(0, 0, 0)] * 256], [[(step, 0, 0) for step in range(256)]])
+        row = self.map_rows()[0]
+        classes = [(0, 0), (1, 1), (2, 2), (3, 4), (5, 8), (9, 16), (17, 32), (33, 64), (65, 128), (129, 255)]
+        colours = []
+        for first, last in classes:
+            self.assertEqual(set(row[first:last + 1]), {row[first]}, (first, last))
+            colours.append(row[first])
+        self.assertEqual((colours[0], colours[-1]), ((0, 0, 0), (255, 255, 255)))
+        brightness = [sum(w * linear(c) for w, c in zip((0.2126, 0.7152, 0.0722), colour)) for colour in colours]
+        for dark, bright in zip(brightness, brightness[1:]):
+            self.assertGreater(bright, 1.2 * dark, colours)
+        self.assertGreater(brightness[1], 0.05, "one step is plain to see against black")
+
+    def test_the_worst_channel_counts_in_either_sense_and_every_pixel_keeps_its_place(self):
+        a = [[GREY, GREY, GREY], [GREY, GREY, GREY]]
+        b = [[GREY, (99, 100, 102), GREY], [(100, 0, 101), GREY, (101, 101, 101)]]
+        self.write_pair(a, b)
+        rows = self.map_rows()
+        self.write_pair([[(0, 0, 0)] * 3], [[(1, 0, 0), (2, 0, 0), (100, 0, 0)]])
+        one, two, hundred = self.map_rows()[0]
+        black = (0, 0, 0)
+        self.assertEqual(rows, [[black, two, black], [hundred, black, one]])
+
+    def test_nan_against_a_number_is_white_and_the_mask_hides_in_grey(self):
+        write_pfm(self.a, [[(math.nan, 0, 0), (1, 1, 1), (math.nan, 0, 0)]])
+        write_pfm(self.b, [[(0, 0, 0), (0, 0, 0), (math.nan, 0, 0)]])
+        write_png(self.path("mask.png"), [[(9, 0, 0), (0, 0, 0), (0, 0, 9)]])
+        rows = self.map_rows("--mask", self.path("mask.png"))
+        self.assertEqual(rows, [[(255, 255, 255), (64, 64, 64), (0, 0, 0)]])
+
+    def test_exit_code_4_of_the_tolerance_still_writes_the_map(self):
+        self.write_pair([[GREY]], [[(100, 95, 100)]])
+        expected = self.map_rows()
+        os.remove(self.map)
+        done = self.run_program("compare", self.a, self.b, "--tolerance", "4", "--map", self.map, "--json")
+        self.assertEqual(done.returncode, 4)
+        self.assertEqual(read_png((self.files / "map.png").read_bytes())[3], expected)
+        report = json.loads(done.stdout)
+        self.assertEqual((report["map"], report["max_srgb8"]), (self.map, 5))
+
+    def test_the_text_and_the_help_explain_the_scale(self):
+        self.write_pair([[GREY]], [[GREY]])
+        scale = "black 0, blue 1, violet 2, magenta to 4"
+        text = self.succeed("compare", self.a, self.b, "--map", self.map).decode()
+        self.assertIn("map.png, steps of the worst channel: " + scale, text)
+        self.assertNotIn("map", self.succeed("compare", self.a, self.b).decode())
+        self.assertNotIn("map", self.json("compare", self.a, self.b))
+        help_text = " ".join(self.succeed("compare", "--help").decode().split())
+        self.assertIn(scale, help_text)
+        self.assertIn("white to 255", help_text)
+
+    def test_pictures_that_cannot_be_compared_leave_no_map(self):
+        self.write_pair([[GREY, GREY]], [[GREY]])
+        self.expect_failure(4, "compare", self.a, self.b, "--map", self.map, says=["a.png is 2x1", "b.png is 1x1"])
+        self.expect_failure(1, "compare", self.a, self.path("c.png"), "--map", self.map, says=["c.png", "No such file"])
+        write_png(self.path("mask.png"), [[(0, 0, 0), (0, 0, 0)]])
+        self.expect_failure(2, "compare", self.a, self.a, "--mask", self.path("mask.png"), "--map", self.map,
+                            says=["mask.png", "no pixel counts"])
+        self.assertEqual(self.names(), ["a.png", "b.png", "mask.png", "scene.toml"])
+
+    def test_a_map_that_cannot_be_written_is_exit_1_and_leaves_nothing(self):
+        self.write_pair([[GREY] * 99] * 99, [[(100, 95, 100)] * 99] * 99)
+        os.mkdir(self.path("d.png"))
+        for path, reason in ((self.path("none/map.png"), "No such file or directory"), ("/proc/map.png", "cannot write"),
+                             (self.path("d.png"), "directory")):
+            self.expect_failure(1, "compare", self.a, self.b, "--map", path, says=[path, reason])
+        self.expect_failure(1, "compare", self.a, self.b, "--map", self.map, file_limit=64,
+                            says=["map.png", "File too large"])
+        self.assertEqual(self.names(), ["a.png", "b.png", "d.png", "scene.toml"])
+
+    def test_a_failed_map_leaves_the_older_one_as_it_was(self):
+        self.write_pair([[GREY] * 99] * 99, [[(100, 95, 100)] * 99] * 99)
+        (self.files / "map.png").write_bytes(b"older")
+        self.expect_failure(1, "compare", self.a, self.b, "--map", self.map, file_limit=64)
+        self.assertEqual((self.files / "map.png").read_bytes(), b"older")
+
+    def test_a_map_never_replaces_a_picture_that_is_read(self):
+        self.write_pair([[GREY]], [[GREY]])
+        write_png(self.path("mask.png"), [[GREY]])
+        os.symlink("b.png", self.path("link.png"))
+        whole = (self.files / "a.png").read_bytes()
+        for name in ("a.png", "b.png", "mask.png", "link.png", "./a.png"):
+            self.expect_failure(2, "compare", self.a, self.b, "--mask", self.path("mask.png"), "--map", self.path(name),
+                                says=["--map", "that is the picture", "name another file"])
+        self.assertEqual((self.files / "a.png").read_bytes(), whole)
+
+    def test_a_map_is_a_png_file(self):
+        self.write_pair([[GREY]], [[GREY]])
+        self.expect_failure(2, "compare", self.a, self.b, "--map", "-", says=["--map -", "name a file"])
+        for name in ("map.pfm", "map", ""):
+            self.expect_failure(2, "compare", self.a, self.b, "--map", name, says=["--map", "must end in .png"])
+        self.assertEqual(self.names(), ["a.png", "b.png", "scene.toml"])
 
 
 if __name__ == "__main__":

@@ -1,10 +1,12 @@
 // zerkalo compare: how far two picture files are apart, and whether that is tolerable.
 #include "tools/zerkalo/commands.hpp"
+#include "tools/zerkalo/difference_map.hpp"
 #include "tools/zerkalo/json.hpp"
 #include "tools/zerkalo/messages.hpp"
 #include "tools/zerkalo/options.hpp"
 #include "tools/zerkalo/picture_file.hpp"
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -13,6 +15,7 @@ namespace {
 
 struct CompareOptions {
     std::string a, b, mask;
+    std::optional<std::string> map;
     std::optional<int> tolerance;
     bool json = false;
 };
@@ -32,25 +35,53 @@ std::vector<bool> flags_of(const Picture& mask) {
     return flags;
 }
 
-std::string json_report(const PictureDifference& difference) {
+// The map is a PNG of its own; it replaces none of the pictures that are read.
+void check_map_name(const CompareOptions& options) {
+    const std::string& map = *options.map;
+    if (map == "-") throw Failure(ExitCode::usage, "--map -: standard output holds the figures; name a file");
+    if (std::filesystem::path(map).extension() != ".png") {
+        throw Failure(ExitCode::usage, "--map " + map + ": the name must end in .png");
+    }
+    for (const std::string* input : {&options.a, &options.b, &options.mask}) {
+        std::error_code missing;  // a file that does not exist is none of the pictures
+        if (*input == map || std::filesystem::equivalent(*input, map, missing)) {
+            throw Failure(ExitCode::usage, "--map " + map + ": that is the picture " + *input + "; name another file");
+        }
+    }
+}
+
+void write_map(const CompareOptions& options, const Picture& a, const Picture& b, const std::vector<bool>& mask) {
+    WholeFile file;
+    open_picture(file, *options.map);
+    const std::vector<std::uint8_t> codes = difference_map(a, b, mask);
+    write_codes(file, {codes.data(), a.width, a.height, std::ptrdiff_t{3} * a.width});
+}
+
+std::string json_report(const CompareOptions& options, const PictureDifference& difference) {
     JsonObject json;
     json.number("rmse_linear", difference.rmse_linear).number("rmse_srgb8", difference.rmse_srgb8);
     json.number("max_linear", difference.max_linear).integer("max_srgb8", difference.max_srgb8);
     json.number("psnr", difference.psnr).integer("differing_pixels", difference.differing_pixels);
     json.integer("pixels_off_by_more_than_1", difference.pixels_off_by_more_than_1);
-    return json.integer("pixels", difference.pixels).str() + "\n";
+    json.integer("pixels", difference.pixels);
+    if (options.map) json.text("map", *options.map);
+    return json.str() + "\n";
 }
 
-std::string text_report(const PictureDifference& difference) {
+std::string text_report(const CompareOptions& options, const PictureDifference& difference) {
+    const std::string map = options.map ? *options.map + ", steps of the worst channel: " + map_legend() + "\n" : "";
     const auto count = [](std::int64_t value) { return static_cast<long long>(value); };
     return format(
-        "linear light: RMSE %.6g, largest %.6g\n8-bit sRGB: RMSE %.6g steps, largest %d, PSNR %.2f dB\n"
-        "pixels: %lld, differing %lld, off by more than 1 step %lld\n",
-        difference.rmse_linear, difference.max_linear, difference.rmse_srgb8, difference.max_srgb8, difference.psnr,
-        count(difference.pixels), count(difference.differing_pixels), count(difference.pixels_off_by_more_than_1));
+               "linear light: RMSE %.6g, largest %.6g\n8-bit sRGB: RMSE %.6g steps, largest %d, PSNR %.2f dB\n"
+               "pixels: %lld, differing %lld, off by more than 1 step %lld\n",
+               difference.rmse_linear, difference.max_linear, difference.rmse_srgb8, difference.max_srgb8,
+               difference.psnr, count(difference.pixels), count(difference.differing_pixels),
+               count(difference.pixels_off_by_more_than_1)) +
+           map;
 }
 
 ExitCode run_compare(const CompareOptions& options) {
+    if (options.map) check_map_name(options);
     const Picture a = read_picture(options.a), b = read_picture(options.b);
     require_same_size(a, options.a, b, options.b);
     std::vector<bool> mask;
@@ -61,7 +92,8 @@ ExitCode run_compare(const CompareOptions& options) {
     }
     const PictureDifference difference = difference_of(a, b, mask);
     if (difference.pixels == 0) throw Failure(ExitCode::usage, options.mask + ": the mask is black, no pixel counts");
-    print_result(options.json ? json_report(difference) : text_report(difference));
+    if (options.map) write_map(options, a, b, mask);
+    print_result((options.json ? json_report : text_report)(options, difference));
     if (options.tolerance && difference.max_srgb8 > *options.tolerance) {
         throw Failure(ExitCode::pictures_differ, format("pictures differ by up to %d steps of 8-bit sRGB, more than %d",
                                                         difference.max_srgb8, *options.tolerance));
@@ -83,6 +115,12 @@ void add_compare_command(CLI::App& app, Action& action) {
                      "Exit with 4 if any channel of any pixel is off by more than so many steps of 8-bit sRGB")
         ->check(whole_number(0, 255))
         ->type_name("T");
+    command
+        ->add_option("--map", options->map,
+                     "Writes the picture of the differences, a PNG. Colours, by the steps of 8-bit sRGB that a pixel's "
+                     "worst channel is off by: " +
+                         map_legend() + "; grey where the mask is black")
+        ->type_name("OUT.png");
     add_json_option(*command, options->json);
     command->callback([options, &action] { action = [options] { return run_compare(*options); }; });
 }

@@ -27,6 +27,10 @@ int code_error(const Picture& a, const Picture& b, std::size_t i) {
 
 }  // namespace
 
+int steps_apart(const Picture& a, const Picture& b, std::size_t pixel) {
+    return std::max({code_error(a, b, 3 * pixel), code_error(a, b, 3 * pixel + 1), code_error(a, b, 3 * pixel + 2)});
+}
+
 PictureDifference difference_of(const Picture& a, const Picture& b, const std::vector<bool>& mask) {
     const std::size_t pixels = static_cast<std::size_t>(a.width) * static_cast<std::size_t>(a.height);
     const bool clip = a.clipped || b.clipped;
@@ -34,7 +38,7 @@ PictureDifference difference_of(const Picture& a, const Picture& b, const std::v
     double linear_squares = 0, code_squares = 0;
     for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
         if (!mask.empty() && !mask[pixel]) continue;
-        int worst = 0;
+        const int worst = steps_apart(a, b, pixel);
         for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i) {
             const double linear = linear_error(a.linear[i], b.linear[i], clip);
             const int code = code_error(a, b, i);
@@ -42,7 +46,6 @@ PictureDifference difference_of(const Picture& a, const Picture& b, const std::v
             code_squares += static_cast<double>(code) * code;
             // A NaN sticks: nothing is larger than it.
             if (std::isnan(linear) || linear > result.max_linear) result.max_linear = linear;
-            worst = std::max(worst, code);
         }
         result.max_srgb8 = std::max(result.max_srgb8, worst);
         ++result.pixels;

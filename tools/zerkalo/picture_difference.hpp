@@ -1,6 +1,7 @@
 // How far two pictures are apart: in linear light and in steps of 8-bit sRGB.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -24,8 +25,12 @@ struct PictureDifference {
     std::int64_t pixels = 0, differing_pixels = 0, pixels_off_by_more_than_1 = 0;
 };
 
+/// How far the worst channel of a pixel (row-major index) is off, in steps of 8-bit sRGB. A NaN equals a NaN; against a
+/// number it is off by 255.
+int steps_apart(const Picture& a, const Picture& b, std::size_t pixel);
+
 /// Compares two pictures of one size. Where one of them is clipped, the other's linear values are clipped to 0..1 too.
-/// A NaN equals a NaN; against a number it is off by 255 steps and makes the linear errors NaN.
+/// NaN against a number makes the linear errors NaN.
 /// `mask` holds one flag a pixel, or nothing: then every pixel counts.
 PictureDifference difference_of(const Picture& a, const Picture& b, const std::vector<bool>& mask);
 

@@ -61,6 +61,11 @@ void write_picture(WholeFile& file, const LinearImage& image, PictureKind kind) 
     require(file.commit());
 }
 
+void write_codes(WholeFile& file, const SrgbPart& codes) {
+    require(write_png(file, codes));
+    require(file.commit());
+}
+
 Picture read_picture(const std::string& path) {
     Picture picture;
     if (begins_like_pfm(path)) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/image/image_view.hpp"
+#include "platform/pixel.hpp"
 #include "platform/whole_file.hpp"
 #include "tools/zerkalo/picture_difference.hpp"
 
@@ -20,6 +21,9 @@ void open_picture(WholeFile& file, const std::string& path);
 
 /// Writes and finishes the file. Throws Failure(io_failed); then no file is left.
 void write_picture(WholeFile& file, const LinearImage& image, PictureKind kind);
+
+/// Writes and finishes a PNG of 8-bit codes. Throws Failure(io_failed); then no file is left.
+void write_codes(WholeFile& file, const SrgbPart& codes);
 
 /// Reads a PNG (8 or 16 bits) or a PFM, told apart by their first bytes. Throws Failure(io_failed).
 Picture read_picture(const std::string& path);
