@@ -27,6 +27,7 @@ struct SurfaceData {
 struct TransportData {
     float reflection, transmission;
     float eta_entering, eta_leaving;
+    std::uint8_t fresnel;  // Fresnel's equations divide K_t
 };
 
 struct LobeData {

@@ -180,7 +180,7 @@ void derive_solid(const Scene& scene, std::int32_t k, std::int32_t& slabs, std::
     const Material& m = solid.material;
     out.surface = derive_surface(m, scene.ambient);
     out.transport = {float(m.reflection), float(m.transmission), float(1 / m.refractive_index),
-                     float(m.refractive_index)};
+                     float(m.refractive_index), m.fresnel};
 }
 
 double clearance(const Plan& plan, const SolidPlan& solid, const Vec3<double>& p) {

@@ -46,6 +46,7 @@ constexpr FeatureName kFeatureNames[] = {
     {kFeatureCurved, "curved_mirror"},
     {kFeatureChain, "chain"},
     {kFeatureBranch, "branch"},
+    {kFeatureFresnel, "fresnel"},
     {kFeatureShadow, "shadow"},
     {kFeatureFalloff, "inverse_square"},
     {kFeatureFar, "far"},

@@ -33,6 +33,7 @@ enum Feature : std::uint32_t {
     kFeatureShadow = 1u << 12,  // lights and something to cast a shadow
     kFeatureMaxPhong = 1u << 13,
     kFeatureAntialias = 1u << 14,
+    kFeatureFresnel = 1u << 15,  // a transparent solid that reflects by Fresnel's equations
 };
 
 /// How the rays of one kind meet a solid: the closed list of kernels behind the six kinds of a scene.

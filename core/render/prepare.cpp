@@ -182,7 +182,8 @@ std::uint32_t features_of_solids(const Plan& plan) {
                                                       : kFeatureMesh;
         const TransportData& transport = solid.transport;
         if (transport.reflection > 0 || transport.transmission > 0) features |= kFeatureChain;
-        if (transport.reflection > 0 && transport.transmission > 0) features |= kFeatureBranch;
+        if (transport.fresnel) features |= kFeatureFresnel;
+        if (transport.transmission > 0 && (transport.reflection > 0 || transport.fresnel)) features |= kFeatureBranch;
     }
     return features;
 }

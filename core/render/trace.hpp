@@ -10,6 +10,7 @@
 // that goes on and one job at the most; without surfaces that do both, never more than two.
 #pragma once
 
+#include "core/optics/fresnel.hpp"
 #include "core/render/anywhere.hpp"
 #include "core/render/lobe_aim.hpp"
 
@@ -93,7 +94,8 @@ ZERKALO_INLINE void go_on(PathPacket<R>& next, Mask<R> mask, Vec3<R> p, Vec3<R> 
     next.active = next.active | mask;
 }
 
-/// Reflection and refraction at solid k (K_r, K_t used as given; total internal reflection adds K_t to K_r).
+/// Reflection and refraction at solid k: K_r + f K_t and (1 - f) K_t. f is Fresnel's reflectance where the solid asks
+/// for it; else K_r and K_t are used as given, which is f = 0, and f = 1 at total internal reflection.
 template <class R>
 ZERKALO_INLINE void continue_at_solid(const PathPacket<R>& ray, const TransportData& transport, Vec3<R> p, Vec3<R> n,
                                       const Departure<R>& spot, Mask<R> here, Continuations<R>& next,
@@ -105,8 +107,10 @@ ZERKALO_INLINE void continue_at_solid(const PathPacket<R>& ray, const TransportD
         const R eta = select(spot.inside, R(transport.eta_leaving), R(transport.eta_entering));
         const Refraction<R> refraction = refract(ray.d, n, eta);
         through = refraction.d;
-        reflection = reflection + select(refraction.total, transmission, R(0));
-        transmission = select(refraction.total, R(0), transmission);
+        const R turned_back = transport.fresnel ? transmission * unpolarised(fresnel_reflectance(ray.d, n, eta))
+                                                : select(refraction.total, transmission, R(0));
+        reflection = reflection + turned_back;
+        transmission = transmission - turned_back;
     }
     const auto reflects = here & (reflection > R(0));
     const auto refracts = here & (transmission > R(0));

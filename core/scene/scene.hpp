@@ -50,6 +50,7 @@ struct Material {
     double reflection = 0;             // K_r
     double transmission = 0;           // K_t
     double refractive_index = 1.5;     // of the solid, against 1 outside
+    bool fresnel = false;              // Fresnel's equations divide K_t by the angle; needs K_t > 0
 };
 
 enum class SolidKind : std::uint8_t { pyramid, prism, sphere, cylinder, cone, mesh };

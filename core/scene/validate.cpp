@@ -71,6 +71,7 @@ void check_material(Checker& check, const Material& m) {
     check.require(m.reflection + m.transmission <= 1, "transmission", "and reflection together must not exceed 1");
     check.require(m.refractive_index > 0 && finite(m.refractive_index), "refractive_index",
                   "must be finite and greater than 0");
+    check.require(!m.fresnel || m.transmission > 0, "fresnel", "needs a transmission greater than 0");
 }
 
 bool same(const Vec3<double>& a, const Vec3<double>& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }

@@ -26,7 +26,7 @@ bool meets_axis_at(const Mirror& mirror, double z, const Vec3<double>& origin, c
     return look(scene, origin, view).r == 1;
 }
 
-TEST(CurvedMirror, ParallelRayCrossesTheAxisWhereSphericalAberrationSays) {
+TEST(P03, ParallelRayCrossesTheAxisWhereSphericalAberrationSays) {
     constexpr double kR = 2;
     for (const double height : {0.05, 0.2, 0.6, 1.2, 1.7}) {
         const double angle = std::asin(height / kR);
@@ -40,7 +40,7 @@ TEST(CurvedMirror, ParallelRayCrossesTheAxisWhereSphericalAberrationSays) {
     }
 }
 
-TEST(CurvedMirror, RaysFromItsCentreReturnThere) {
+TEST(P04, RaysFromItsCentreReturnThere) {
     constexpr double kR = 3;
     Scene scene;
     add(scene, dish(kR, 2.5));
@@ -52,7 +52,32 @@ TEST(CurvedMirror, RaysFromItsCentreReturnThere) {
     }
 }
 
-TEST(CurvedMirror, BulgingOneSendsParallelRaysAwayFromTheirVirtualCrossing) {
+TEST(P26, DistantObjectIsImagedUpsideDownBeyondTheFocus) {
+    // 1/u + 1/v = 2/R; every ray through the image of a small ball comes from the ball, wherever it met
+    // the mirror.
+    constexpr double kR = 2, kF = kR / 2, kField = 0.02, kBall = 2e-4;  // heights and radii of objects, as shares of u
+    for (const double u : {10.0, 50.0, 1000.0}) {
+        const double v = u * kF / (u - kF);
+        for (const double field : {-kField, 0.0, kField}) {
+            Scene scene;
+            add(scene, dish(kR, 1));
+            add(scene, ball({field * u, 0, u}, kBall * u, glowing({1, 1, 1})));
+            const double image = -field * u * kF / (u - kF);
+            for (const double aperture : {-0.05, -0.02, 0.01, 0.05}) {
+                const auto through = [&](double x, double z) {
+                    return look(scene, {x, 0, z}, {aperture - x, 0, -z}).g;
+                };
+                EXPECT_EQ(through(image, v), 1) << "u " << u << ", field " << field << ", aperture " << aperture;
+                // Upright, or a twentieth too large, it is not there.
+                if (field == 0) continue;
+                EXPECT_EQ(through(-image, v), 0) << "u " << u << ", field " << field << ", aperture " << aperture;
+                EXPECT_EQ(through(1.05 * image, v), 0) << "u " << u << ", field " << field << ", aperture " << aperture;
+            }
+        }
+    }
+}
+
+TEST(P03, BulgingMirrorSendsParallelRaysAwayFromTheirVirtualCrossing) {
     constexpr double kR = 2;
     for (const double height : {0.1, 0.5, 1.2}) {
         const double angle = std::asin(height / kR);
@@ -71,7 +96,7 @@ TEST(CurvedMirror, BulgingOneSendsParallelRaysAwayFromTheirVirtualCrossing) {
     }
 }
 
-TEST(CurvedMirror, OfAHugeRadiusIsThePlaneMirror) {
+TEST(P05, MirrorOfAHugeRadiusIsThePlaneMirror) {
     Scene plane;
     plane.background = {0.1, 0.2, 0.3};
     add_five_solids(plane, 1);

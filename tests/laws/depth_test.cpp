@@ -15,7 +15,7 @@ Settings depth(int limit) {
     return settings;
 }
 
-TEST(Depth, FacingMirrorsGiveTheGeometricSeries) {
+TEST(P10, FacingMirrorsGiveTheGeometricSeries) {
     constexpr double kGlow = 0.5, kReflection = 0.8;
     constexpr Rgb<double> kTint{0.95, 0.8, 0.45};
     Scene scene;
@@ -41,7 +41,21 @@ TEST(Depth, FacingMirrorsGiveTheGeometricSeries) {
     }
 }
 
-TEST(Depth, NeverDarkensAPixel) {
+TEST(P10, SeriesOfAHalfIsExactToTheLastBit) {
+    // 1/2 + 1/4 + ... : every partial sum is a float.
+    constexpr int kBits = 23;
+    Scene scene;
+    for (const double side : {1.0, -1.0}) {
+        Mirror mirror = ideal_mirror({0, 0, -side}, {0, 0, side}, 4);
+        mirror.ambient = mirror.reflection = 0.5;
+        add(scene, mirror);
+    }
+    for (int limit = 0; limit < kBits; ++limit) {
+        EXPECT_EQ(look(scene, {0, 0, 0}, {0, 0, -1}, depth(limit)).g, 1 - std::ldexp(1.0f, -limit - 1)) << limit;
+    }
+}
+
+TEST(P28, MoreDepthNeverDarkensAPixel) {
     for (const OddScene& odd : odd_scenes()) {
         Settings settings = odd.settings;
         settings.depth_limit = 0;

@@ -26,7 +26,7 @@ double last_sight(const Scene& scene, double angle) {
     return where_it_ends(nominal - 1.5, nominal + 1.5, [&](double x) { return look(scene, {x, 5, 0}, view).r > 0.5; });
 }
 
-TEST(Glass, SlabShiftsARayBySnellsLaw) {
+TEST(P07, SlabShiftsARayBySnellsLaw) {
     constexpr double kThickness = 0.75;
     for (const double index : {1.0, 1.33, 1.5, 2.4}) {
         for (const double angle : {0.0, 0.2, 0.6, 1.0}) {
@@ -40,7 +40,7 @@ TEST(Glass, SlabShiftsARayBySnellsLaw) {
     }
 }
 
-TEST(Glass, ReflectsTotallyBeyondTheCriticalAngle) {
+TEST(P08, GlassReflectsTotallyBeyondTheCriticalAngle) {
     // From inside a large block, through its lid, at angles on both sides of asin(1/n).
     constexpr double kIndex = 1.5, kRoom = 1e-5;
     Scene scene;

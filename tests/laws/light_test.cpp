@@ -23,7 +23,7 @@ Scene floor_under_a_lamp(double height, Falloff falloff) {
 /// What a slanting glance at the floor's point (x, 0, 0) shows.
 double floor_at(const Scene& scene, double x) { return look(scene, {x, 3, 8}, {0, -3, -8}).g; }
 
-TEST(Lamp, LightsTheFloorByLambertsCosine) {
+TEST(P11, LampLightsTheFloorByLambertsCosine) {
     constexpr double kHeight = 4;
     const Scene scene = floor_under_a_lamp(kHeight, Falloff::none);
     for (const double x : {0.0, 0.5, 2.0, 4.0, 12.0}) {
@@ -32,7 +32,7 @@ TEST(Lamp, LightsTheFloorByLambertsCosine) {
     }
 }
 
-TEST(Lamp, FadesWithTheInverseSquare) {
+TEST(P11, LampFadesWithTheInverseSquare) {
     constexpr double kHeight = 4;
     const Scene scene = floor_under_a_lamp(kHeight, Falloff::inverse_square);
     for (const double x : {0.0, 0.5, 2.0, 4.0, 12.0}) {
@@ -41,7 +41,7 @@ TEST(Lamp, FadesWithTheInverseSquare) {
     }
 }
 
-TEST(Shadow, OfABallBelowTheLampIsADiscOfTheClosedForm) {
+TEST(P13, ShadowOfABallBelowTheLampIsADiscOfTheClosedForm) {
     // A grazing ray meets the ball as well as float coordinates allow.
     constexpr double kFloatLengths = 2e-5;
     constexpr double kLamp = 6;
@@ -68,7 +68,7 @@ TEST(Shadow, IsCastByTheBackOfAMirrorToo) {
     EXPECT_NEAR(where_it_ends(0, 10, dark), 2, kFloatLengths);
 }
 
-TEST(Ball, FillsTheSolidAngleOfItsClosedForm) {
+TEST(P22, BallFillsTheSolidAngleOfItsClosedForm) {
     constexpr int kSide = 256;
     constexpr double kFov = 1.4;
     const double half = std::tan(kFov / 2);

@@ -34,7 +34,7 @@ Scene lit_scene(double lobe_exponent) {
 
 Rgb<double> times(double s, const Rgb<double>& c) { return {s * c.r, s * c.g, s * c.b}; }
 
-TEST(Light, PowersOfTwoScaleEveryPixelExactly) {
+TEST(P18, PowersOfTwoScaleEveryPixelExactly) {
     for (const double lobe_exponent : {kInfinity, 60.0}) {
         const Scene scene = lit_scene(lobe_exponent);
         const Image image = render(scene, of_size(64, 48));
@@ -51,7 +51,7 @@ TEST(Light, PowersOfTwoScaleEveryPixelExactly) {
     }
 }
 
-TEST(Light, TwoLampsGiveTheSumOfTheirPictures) {
+TEST(P19, TwoLampsGiveTheSumOfTheirPictures) {
     // Each pixel is a short sum, rounded after every term; both ways of summing differ in the order of the terms.
     constexpr double kUlp = 0x1p-23;
     constexpr double kRoundings = 4;

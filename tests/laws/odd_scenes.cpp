@@ -50,6 +50,13 @@ void make_glass_that_also_reflects(Scene& scene) {
     scene.solids[4].material.reflection = 0.4;
 }
 
+void make_fresnel_glass(Scene& scene) {
+    make_glass_that_also_reflects(scene);
+    scene.solids[0].material.fresnel = scene.solids[2].material.fresnel = true;
+    scene.solids[3].material = clear_glass(2.4);
+    scene.solids[3].material.fresnel = true;
+}
+
 void curve(Scene& scene, double radius, BoundaryShape shape) {
     Mirror& mirror = scene.mirrors[0];
     mirror.curvature_radius = radius;
@@ -127,6 +134,7 @@ std::vector<OddScene> all_odd_scenes() {
     const Change changes[] = {
         {"four-coloured-lamps", colour_the_lamps, 6},
         {"branching-glass", make_glass_that_also_reflects, 6},
+        {"fresnel-glass", make_fresnel_glass, 6},
         {"concave-ellipse", [](Scene& s) { curve(s, 7, BoundaryShape::ellipse); }, 6},
         {"convex-rectangle", [](Scene& s) { curve(s, -6, BoundaryShape::rectangle); }, 6},
         {"deep-dish", [](Scene& s) { curve(s, 2.3, BoundaryShape::disc); }, 6},

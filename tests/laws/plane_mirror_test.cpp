@@ -64,7 +64,7 @@ Image render_part(const Scene& scene) {
     return part;
 }
 
-TEST(PlaneMirror, ImageIsTheMirroredSceneSeenThroughAWindowToTheLastBit) {
+TEST(P06, ImageIsTheMirroredSceneSeenThroughAWindowToTheLastBit) {
     Scene window = solids_and_images();
     look_from_far(window);
     Scene mirrored = window;
@@ -78,7 +78,7 @@ TEST(PlaneMirror, ImageIsTheMirroredSceneSeenThroughAWindowToTheLastBit) {
     EXPECT_GT(pixels_apart(render_part(without_images), seen_through), 1000);
 }
 
-TEST(PlaneMirror, NearCameraSeesTheMirroredSceneToo) {
+TEST(P06, NearCameraSeesTheMirroredSceneToo) {
     // The window's rays were not rounded on their way: colours agree within a step but for silhouettes.
     constexpr double kSilhouetteShare = 1e-3;
     Scene window = solids_and_images();
@@ -91,7 +91,7 @@ TEST(PlaneMirror, NearCameraSeesTheMirroredSceneToo) {
     EXPECT_LE(static_cast<double>(difference.pixels_off_by_more), kSilhouetteShare * difference.pixels);
 }
 
-TEST(PlaneMirror, ReflectsRaysAtTheAngleOfIncidence) {
+TEST(P01, MirrorReflectsRaysAtTheAngleOfIncidence) {
     // A small glowing ball where the reflected ray must pass, and two radii beside it.
     constexpr double kRadius = 1e-4;
     for (const double slope : {0.1, 0.5, 1.0, 2.0, 5.0}) {

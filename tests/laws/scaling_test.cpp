@@ -93,7 +93,7 @@ TEST(Scaling, PowersOfTwoLeaveEveryByteOfGlassMeshesAndHollowMirrors) {
     expect_same_bytes_at_every_size(rich_scene(), of_size(64, 48));
 }
 
-TEST(Scaling, DoublingEveryDistanceQuartersTheLightOfLampsThatFade) {
+TEST(P14, DoublingEveryDistanceQuartersTheLightOfLampsThatFade) {
     Scene scene = simple_scene();
     scene.background = {0, 0, 0};
     scene.ambient = {0, 0, 0};

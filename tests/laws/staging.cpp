@@ -1,6 +1,10 @@
 // See staging.hpp.
 #include "tests/laws/staging.hpp"
 
+#include <memory>
+#include <stdexcept>
+#include <string>
+
 namespace zerkalo::laws {
 
 Material glowing(const Rgb<double>& color) {
@@ -98,7 +102,15 @@ Rgb<float> look(Scene scene, const Vec3<double>& origin, const Vec3<double>& vie
     scene.camera = camera_at(origin, view, kAnyAngle);
     Settings one_pixel = settings;
     one_pixel.width = one_pixel.height = 1;
-    return render(scene, one_pixel).at(0, 0);
+    const auto plan = std::make_unique<Plan>();
+    prepare_or_throw(scene, one_pixel, *plan);
+    const Image seen = render(*plan, Isa::scalar);
+    for (const Isa isa : available_isas()) {
+        if (render(*plan, isa).hash() != seen.hash()) {
+            throw std::runtime_error(std::string(name_of(isa)) + " and scalar see different light");
+        }
+    }
+    return seen.at(0, 0);
 }
 
 }  // namespace zerkalo::laws

@@ -38,7 +38,8 @@ void add_five_solids(Scene& scene, double z);
 /// A camera at `position` that looks along `view`, `fov` radians across.
 Camera camera_at(const Vec3<double>& position, const Vec3<double>& view, double fov);
 
-/// What arrives at `origin` from the direction `view` (any length), by the renderer.
+/// What arrives at `origin` from the direction `view` (any length), by the renderer: with every instruction set that
+/// this CPU has, to the same bits. Throws std::runtime_error where they are not.
 Rgb<float> look(Scene scene, const Vec3<double>& origin, const Vec3<double>& view, const Settings& settings = {});
 
 /// The place between `low` and `high` where `test` changes from true to false, to the last digit of a double.

@@ -42,7 +42,7 @@ Scene lopsided_scene(double curvature_radius) {
     return scene;
 }
 
-TEST(Symmetry, TheMirroredSceneGivesTheFlippedPicture) {
+TEST(P21, TheMirroredSceneGivesTheFlippedPicture) {
     for (const double curvature_radius : {kInfinity, 9.0, -9.0}) {
         const Scene scene = lopsided_scene(curvature_radius);
         const Image image = render(scene, of_size(65, 48));
@@ -52,7 +52,7 @@ TEST(Symmetry, TheMirroredSceneGivesTheFlippedPicture) {
     }
 }
 
-TEST(Symmetry, ASymmetricSceneGivesASymmetricPicture) {
+TEST(P21, ASymmetricSceneGivesASymmetricPicture) {
     Scene scene;
     scene.background = {0.1, 0.2, 0.3};
     add(scene, ball({0, 1, 0}, 0.5, Material{}));

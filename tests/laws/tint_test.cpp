@@ -48,7 +48,7 @@ Scene periscope(const Rgb<double>& tint) {
     return scene;
 }
 
-TEST(Tint, MultipliesEachChannelOfThePictureInTheMirror) {
+TEST(P24, TintMultipliesEachChannelOfThePictureInTheMirror) {
     for (const double lobe_exponent : {kInfinity, 50.0}) {
         const Image white = render(seen_in_the_mirror({1, 1, 1}, lobe_exponent), of_size(64, 48));
         const Image tinted = render(seen_in_the_mirror(kTint, lobe_exponent), of_size(64, 48));
@@ -57,7 +57,7 @@ TEST(Tint, MultipliesEachChannelOfThePictureInTheMirror) {
     }
 }
 
-TEST(Tint, OfTwoMirrorsMultipliesTwice) {
+TEST(P24, TintOfTwoMirrorsMultipliesTwice) {
     const Image white = render(periscope({1, 1, 1}), of_size(64, 48));
     const Image tinted = render(periscope(kTint), of_size(64, 48));
     EXPECT_EQ(pixels_apart(times(times(white, kTint), kTint), tinted), 0);

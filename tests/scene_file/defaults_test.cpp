@@ -52,6 +52,7 @@ TEST(SceneFileDefaults, SolidIsGreyMatteWithAHighlight) {
     EXPECT_EQ(solid.material.reflection, 0);
     EXPECT_EQ(solid.material.transmission, 0);
     EXPECT_EQ(solid.material.refractive_index, 1.5);
+    EXPECT_FALSE(solid.material.fresnel);
 }
 
 TEST(SceneFileDefaults, CylinderHasTaperOneConeZeroAndMeshScaleOne) {

@@ -81,7 +81,8 @@ TEST(SceneFileValues, SolidsOfEveryKindArriveAsWritten) {
                "[[solid]]\nkind = 'cylinder'\nradius = 1\nheight = 5\ntaper = 0.25\n" + tail +
                "[[solid]]\nkind = 'cone'\nradius = 1\nheight = 6\ntaper = 1.5\ncolor = [0.1, 0.2, 0.3]\nambient = "
                "0.2\ndiffuse = 0.3\n"
-               "specular = 0.6\nshininess = 9\nreflection = 0.3\ntransmission = 0.7\nrefractive_index = 1.33\n" +
+               "specular = 0.6\nshininess = 9\nreflection = 0.3\ntransmission = 0.7\nrefractive_index = 1.33\nfresnel "
+               "= true\n" +
                tail);
     ASSERT_EQ(scene->solid_count, 5);
     const Solid* s = scene->solids;
@@ -101,7 +102,7 @@ TEST(SceneFileValues, SolidsOfEveryKindArriveAsWritten) {
     const Material& m = s[4].material;
     EXPECT_TRUE(m.color.r == 0.1 && m.color.g == 0.2 && m.color.b == 0.3);
     EXPECT_TRUE(m.ambient == 0.2 && m.diffuse == 0.3 && m.specular == 0.6 && m.shininess == 9);
-    EXPECT_TRUE(m.reflection == 0.3 && m.transmission == 0.7 && m.refractive_index == 1.33);
+    EXPECT_TRUE(m.reflection == 0.3 && m.transmission == 0.7 && m.refractive_index == 1.33 && m.fresnel);
 }
 
 TEST(SceneFileValues, MirrorsOfEveryOutlineArriveAsWritten) {

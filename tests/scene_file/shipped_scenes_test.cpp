@@ -29,7 +29,7 @@ std::unique_ptr<Scene> shipped(const std::string& name) {
 }
 
 TEST(ShippedScenes, EverySceneLoadsHasATitleAndIsFourToThree) {
-    EXPECT_GE(scene_paths().size(), 12u);
+    EXPECT_GE(scene_paths().size(), 13u);
     std::set<std::string> titles;
     for (const auto& path : scene_paths()) {
         const LoadResult result = load_scene(path);
@@ -53,13 +53,14 @@ TEST(ShippedScenes, ReadmeHasOneLineForEveryScene) {
 
 TEST(ShippedScenes, EveryKindOfSolidAndMirrorIsShown) {
     std::set<SolidKind> kinds;
-    bool concave = false, convex = false, transparent = false, several_mirrors = false;
+    bool concave = false, convex = false, transparent = false, fresnel = false, several_mirrors = false;
     std::set<BoundaryShape> shapes;
     for (const auto& path : scene_paths()) {
         const auto scene = shipped(path.stem().string());
         for (int i = 0; i < scene->solid_count; ++i) {
             kinds.insert(scene->solids[i].kind);
             transparent = transparent || scene->solids[i].material.transmission > 0;
+            fresnel = fresnel || scene->solids[i].material.fresnel;
         }
         for (int i = 0; i < scene->mirror_count; ++i) {
             shapes.insert(scene->mirrors[i].boundary.shape);
@@ -71,7 +72,7 @@ TEST(ShippedScenes, EveryKindOfSolidAndMirrorIsShown) {
     }
     EXPECT_EQ(kinds.size(), 6u);
     EXPECT_EQ(shapes.size(), 4u);
-    EXPECT_TRUE(concave && convex && transparent && several_mirrors);
+    EXPECT_TRUE(concave && convex && transparent && fresnel && several_mirrors);
 }
 
 /// Base corner k of a prism or pyramid in the world: local angle 2 pi k / n, turned about y by matrix 2.13.

@@ -37,6 +37,16 @@ bool refracted(const Vector& d, const Vector& n, double ratio, Vector& out) {
     return true;
 }
 
+double fresnel(const Vector& d, const Vector& n, double ratio) {
+    // Amplitudes of both polarisations as the textbook has them, with the indices `ratio` before and 1 behind.
+    const long double before = -dot(d, n), behind2 = 1 - (1 - before * before) * ratio * ratio;
+    if (behind2 < 0) return 1;
+    const long double behind = std::sqrt(behind2);
+    const long double perpendicular = (ratio * before - behind) / (ratio * before + behind);
+    const long double parallel = (before - ratio * behind) / (before + ratio * behind);
+    return static_cast<double>((perpendicular * perpendicular + parallel * parallel) / 2);
+}
+
 Tracer::Tracer(const Scene& scene, const Settings& settings, unsigned lobe_samples)
     : scene_(scene), world_(scene), depth_limit_(settings.depth_limit), lobe_samples_(lobe_samples) {}
 
@@ -63,9 +73,11 @@ Color Tracer::solid(const Path& path, const Hit& hit, Random& random) const {
     if (m.transmission > 0) {
         Vector through;
         const double ratio = hit.front ? 1 / m.refractive_index : m.refractive_index;
+        const double turned_back = m.fresnel ? fresnel(d, normal, ratio) : 0;
         if (refracted(d, normal, ratio, through)) {
             const Path next{{hit.point, through}, hit.guard, path.depth + 1, path.glossy_before};
-            sum = sum + m.transmission * trace(next, random);
+            sum = sum + m.transmission * (1 - turned_back) * trace(next, random);
+            reflection += m.transmission * turned_back;
         } else {
             reflection += m.transmission;
         }

@@ -18,6 +18,10 @@ Vector reflected(const Vector& d, const Vector& n);
 /// False at total internal reflection; `out` is then untouched.
 bool refracted(const Vector& d, const Vector& n, double ratio, Vector& out);
 
+/// Fresnel: the share of unpolarised light that unit `d` loses to reflection at the unit normal `n` (d.n < 0), `ratio`
+/// as above. 1 at total internal reflection.
+double fresnel(const Vector& d, const Vector& n, double ratio);
+
 /// One scene made ready. Keeps its own copy of the scene. Of the settings only `depth_limit` counts here.
 class Tracer {
 public:

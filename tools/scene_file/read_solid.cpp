@@ -9,9 +9,9 @@
 namespace zerkalo::scene_file {
 namespace {
 
-constexpr std::array<std::string_view, 11> kCommonKeys{"kind",       "position",     "rotate_deg",      "color",
-                                                       "ambient",    "diffuse",      "specular",        "shininess",
-                                                       "reflection", "transmission", "refractive_index"};
+constexpr std::array<std::string_view, 12> kCommonKeys{"kind",       "position",     "rotate_deg",       "color",
+                                                       "ambient",    "diffuse",      "specular",         "shininess",
+                                                       "reflection", "transmission", "refractive_index", "fresnel"};
 constexpr std::array<std::string_view, 6> kKinds{"pyramid",  "prism", "sphere",
                                                  "cylinder", "cone",  "mesh"};  // of SolidKind
 
@@ -58,8 +58,14 @@ void read_material(TableReader& reader, Material& material) {
     reader.number("specular", kUnit, material.specular);
     reader.number("shininess", kNotNegative, material.shininess);
     reader.number("reflection", kUnit, material.reflection);
-    reader.number("transmission", kUnit, material.transmission);
+    const bool transmission_is_wrong =
+        !reader.number("transmission", kUnit, material.transmission) && reader.has("transmission");
     reader.number("refractive_index", kPositive, material.refractive_index);
+    reader.truth("fresnel", material.fresnel);
+    if (material.fresnel && material.transmission == 0 && !transmission_is_wrong) {
+        reader.error(reader.place_of("fresnel"), "\"fresnel\" is for a solid that transmits light",
+                     "write a \"transmission\" above 0 as well");
+    }
     if (material.reflection + material.transmission > 1) {
         reader.error(reader.place_of("transmission"), "\"reflection\" and \"transmission\" together must be at most 1");
     }

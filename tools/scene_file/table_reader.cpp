@@ -142,6 +142,17 @@ bool TableReader::text(std::string_view key, std::string& target) {
     return true;
 }
 
+bool TableReader::truth(std::string_view key, bool& target) {
+    const toml::node* node = find(key);
+    if (node == nullptr) return false;
+    if (!node->is_boolean()) {
+        report_.error(position_of(*node), must_be(in_quotes(key), "true or false", *node));
+        return false;
+    }
+    target = node->as_boolean()->get();
+    return true;
+}
+
 int TableReader::index_of_word(std::string_view key, Words words) {
     std::string word;
     if (!text(key, word)) return -1;

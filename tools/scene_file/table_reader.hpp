@@ -37,6 +37,7 @@ public:
     bool number(std::string_view key, const Range& range, double& target);
     bool integer(std::string_view key, std::int32_t low, std::int32_t high, std::int32_t& target);
     bool text(std::string_view key, std::string& target);
+    bool truth(std::string_view key, bool& target);
     bool point(std::string_view key, Vec3<double>& target, const Range& range = kCoordinate);
     bool direction(std::string_view key, Vec3<double>& target);
     bool color(std::string_view key, const Range& range, Rgb<double>& target);

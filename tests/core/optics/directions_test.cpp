@@ -3,6 +3,8 @@
 #include "tests/core/support/rays.hpp"
 #include "tests/core/support/widths.hpp"
 
+#include <algorithm>
+
 namespace zerkalo::test {
 namespace {
 
@@ -23,8 +25,12 @@ protected:
         return bent;
     }
 };
+class P01 : public Directions {};
+class P07 : public Directions {};
+class P08 : public Directions {};
+class P09 : public Directions {};
 
-TEST_P(Directions, AngleOfIncidenceEqualsAngleOfReflection) {
+TEST_P(P01, AngleOfIncidenceEqualsAngleOfReflection) {
     // Inputs are unit to 2 u; a dot product, a doubling, a product and a subtraction follow.
     constexpr Real80 kRoundings = 12;
     Random random(81);
@@ -38,7 +44,7 @@ TEST_P(Directions, AngleOfIncidenceEqualsAngleOfReflection) {
     }
 }
 
-TEST_P(Directions, ReflectionAtACoordinatePlaneFlipsOneSign) {
+TEST_P(P01, ReflectionAtACoordinatePlaneFlipsOneSign) {
     Random random(82);
     const Exact3 axes[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     for (int axis = 0; axis < 6; ++axis) {
@@ -77,7 +83,7 @@ Exact3 meeting(const Exact3& n, Real80 angle, Random& random) {
 constexpr Real80 kRightAngle = 1.57079632679489661923L;
 constexpr float kRatios[] = {0.4f, 1 / 1.5f, 0.75f, 1, 4.0f / 3, 1.5f, 2.4f};
 
-TEST_P(Directions, RefractionObeysSnell) {
+TEST_P(P07, RefractionObeysSnell) {
     constexpr Real80 kRoundings = 24;
     Random random(84);
     for (const float ratio : kRatios) {
@@ -107,7 +113,23 @@ TEST_P(Directions, RefractionObeysSnell) {
     }
 }
 
-TEST_P(Directions, ReflectionIsTotalFromTheCriticalAngleOn) {
+TEST_P(P07, LightThatMeetsTheSurfaceHeadOnGoesStraightOn) {
+    // eta - 1 is exact between 1/2 and 2: not a bit of the direction changes.
+    const Exact3 axes[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    for (const Exact3& axis : axes) {
+        PointList d, n;
+        Floats eta;
+        for (int k = 0; k < 512; ++k) d.add(-axis), n.add(axis), eta.push_back(0.5f + 1.5f * float(k) / 511);
+        const Bent bent = refracted(d, n, eta);
+        for (std::size_t k = 0; k < d.size(); ++k) {
+            // As numbers: a component that is zero may change its sign.
+            ASSERT_TRUE(bent.d.x[k] == d.x[k] && bent.d.y[k] == d.y[k] && bent.d.z[k] == d.z[k])
+                << text(bent.d[k]) << " instead of " << text(d[k]) << ", eta " << eta[k];
+        }
+    }
+}
+
+TEST_P(P08, ReflectionIsTotalFromTheCriticalAngleOn) {
     // The sine of the angle is known to a few roundings, and no better.
     constexpr Real80 kRoundings = 6;
     for (const float ratio : {1.0625f, 4.0f / 3, 1.5f, 2.4f}) {
@@ -130,7 +152,7 @@ TEST_P(Directions, ReflectionIsTotalFromTheCriticalAngleOn) {
     }
 }
 
-TEST_P(Directions, LightTakesTheSameWayBack) {
+TEST_P(P09, LightTakesTheSameWayBack) {
     constexpr Real80 kRoundings = 64;
     Random random(85);
     for (const float ratio : kRatios) {
@@ -150,6 +172,37 @@ TEST_P(Directions, LightTakesTheSameWayBack) {
             ASSERT_LE(length(again.d[k] + d[k]), room) << text(d[k]) << " at " << text(n[k]) << " eta " << ratio;
         }
     }
+}
+
+TEST_P(P09, OneBounceInsideAWaterDropDeviatesLeastAtTheRainbow) {
+    // Descartes: cos^2 i = (n^2 - 1) / 3; the deviation there is a minimum, so it barely depends on i.
+    constexpr double kWater = 4.0 / 3, kRainbow = 137.970 * 3.14159265358979323846 / 180, kTabulated = 1e-5;
+    const Real80 best = std::acos(std::sqrt((kWater * kWater - 1) / 3));
+    constexpr int kSteps = 256;
+    PointList d, n, second, third;
+    for (int k = -kSteps; k < kSteps; ++k) {
+        const Real80 i = best + k * 1e-3L;
+        d.add({0, 0, -1}), n.add({std::sin(i), 0, std::cos(i)});
+    }
+    // A chord of the unit ball from p along d ends at p - 2 (p.d) d; outward normals are the points themselves.
+    const auto chord_end = [](const Exact3& p, const Exact3& d_in) { return p - d_in * (2 * dot(p, d_in)); };
+    const Bent in = refracted(d, n, Floats(d.size(), float(1 / kWater)));
+    for (std::size_t k = 0; k < d.size(); ++k) second.add(-chord_end(n[k], in.d[k]));
+    const PointList back = reflected(in.d, second);
+    for (std::size_t k = 0; k < d.size(); ++k) third.add(-chord_end(-second[k], back[k]));
+    const Bent out = refracted(back, third, Floats(d.size(), float(kWater)));
+    std::vector<double> deviation;
+    for (std::size_t k = 0; k < d.size(); ++k) {
+        ASSERT_EQ(out.total[k], 0) << text(n[k]);
+        deviation.push_back(double(std::atan2(length(cross(d[k], out.d[k])), dot(d[k], out.d[k]))));
+    }
+    const auto least = std::min_element(deviation.begin(), deviation.end());
+    EXPECT_NEAR(*least, kRainbow, kTabulated);
+    EXPECT_NEAR(deviation[kSteps], kRainbow, kTabulated);
+    // Half a degree to both sides the deviation has grown by the parabola's 3e-5 or more.
+    EXPECT_LT(std::abs(least - deviation.begin() - kSteps), 9);
+    EXPECT_GT(deviation.front(), kRainbow + 0.01);
+    EXPECT_GT(deviation.back(), kRainbow + 0.01);
 }
 
 TEST_P(Directions, TangentsAreAnOrthonormalFrame) {
@@ -195,6 +248,10 @@ TEST_P(Directions, EveryWidthGivesTheSameBits) {
     expect_same_bits(b.y, b_scalar.y, "bitangent");
 }
 
+ZERKALO_OVER_ALL_WIDTHS(P01);
+ZERKALO_OVER_ALL_WIDTHS(P07);
+ZERKALO_OVER_ALL_WIDTHS(P08);
+ZERKALO_OVER_ALL_WIDTHS(P09);
 ZERKALO_OVER_ALL_WIDTHS(Directions);
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/optics/directions.hpp"
+#include "core/optics/fresnel.hpp"
 #include "core/optics/lattice.hpp"
 #include "core/optics/whitted.hpp"
 #include "tests/core/probes/shape_probes.hpp"
@@ -30,6 +31,17 @@ void probe_refract(probes::Points d, probes::Points n, const float* eta, const p
         const Refraction<R> bent = refract(load_point<R>(d, k), load_point<R>(n, k), load<R>(eta + k));
         store_point<R>(out, k, bent.d);
         store(total + k, as_number<R>(bent.total));
+    }
+}
+
+template <class R>
+void probe_fresnel(probes::Points d, probes::Points n, const float* eta, float* across, float* within, float* both,
+                   int count) {
+    for (int k = 0; k < count; k += kWidth<R>) {
+        const auto share = fresnel_reflectance(load_point<R>(d, k), load_point<R>(n, k), load<R>(eta + k));
+        store(across + k, share.across);
+        store(within + k, share.within);
+        store(both + k, unpolarised(share));
     }
 }
 
@@ -81,7 +93,7 @@ void probe_light(const LightData& light, const SurfaceData& surface, const probe
 
 template <class R>
 constexpr probes::OpticsProbes optics_probes() {
-    return {&probe_reflect<R>, &probe_mirror_direction<R>, &probe_refract<R>, &probe_tangents<R>,
+    return {&probe_reflect<R>, &probe_mirror_direction<R>, &probe_refract<R>, &probe_fresnel<R>, &probe_tangents<R>,
             &probe_lobe<R>,    &probe_lattice<R>,          &probe_weight<R>,  &probe_light<R>};
 }
 

@@ -92,6 +92,7 @@ struct OpticsProbes {
     void (*reflect)(Points d, Points n, const PointsOut& out, int count);
     void (*mirror_direction)(Points l, Points n, const PointsOut& out, int count);
     void (*refract)(Points d, Points n, const float* eta, const PointsOut& out, float* total, int count);
+    void (*fresnel)(Points d, Points n, const float* eta, float* across, float* within, float* both, int count);
     void (*tangents)(Points m, const PointsOut& t, const PointsOut& b, int count);
     void (*lobe)(const float* u, const float* turn, float inverse_exponent, const PointsOut& out, int count);
     void (*lattice)(std::int32_t points, float inverse_exponent, const PointsOut& out, int count);

@@ -86,6 +86,9 @@ TEST(Prepare, SurfacesThatBranchLimitTheDepth) {
     scene->solids[0].material.reflection = 0.3, scene->solids[0].material.transmission = 0.6;
     EXPECT_TRUE(prepare(*scene, {.depth_limit = kMaxBranchDepth}, *plan).ok());
     EXPECT_STREQ(prepare(*scene, {.depth_limit = kMaxBranchDepth + 1}, *plan).field, "depth_limit");
+    scene->solids[0].material.reflection = 0, scene->solids[0].material.fresnel = true;
+    EXPECT_STREQ(prepare(*scene, {.depth_limit = kMaxBranchDepth + 1}, *plan).field, "depth_limit");
+    scene->solids[0].material.reflection = 0.3, scene->solids[0].material.fresnel = false;
     scene->solids[0].material.transmission = 0;
     EXPECT_TRUE(prepare(*scene, {.depth_limit = kMaxDepth}, *plan).ok());
 }
@@ -196,6 +199,9 @@ TEST(Features, NameWhatLightAndRaysNeed) {
     scene->light_count = 0;
     scene->solids[1].material.transmission = 0.5;
     EXPECT_EQ(features_of(*scene), (Names{"sphere", "chain"}));
+    scene->solids[1].material.fresnel = true;
+    EXPECT_EQ(features_of(*scene), (Names{"sphere", "chain", "branch", "fresnel"}));
+    scene->solids[1].material.fresnel = false;
     scene->solids[1].material.reflection = 0.5;
     EXPECT_EQ(features_of(*scene), (Names{"sphere", "chain", "branch"}));
     EXPECT_EQ(features_of(*one_ball(), {.antialias = 4}), (Names{"sphere", "antialias"}));

@@ -141,6 +141,14 @@ TEST(Validate, MaterialOfASolidIsNamed) {
     });
     expect_refused(Part::solid, 1, "refractive_index", {kNan, kInfinity, 0, -1.5},
                    [](Scene& s, double v) { s.solids[1].material.refractive_index = v; });
+    expect_refused(Part::solid, 1, "fresnel", {0.0}, [](Scene& s, double v) {
+        s.solids[1].material.transmission = v;
+        s.solids[1].material.fresnel = true;
+    });
+    expect_legal({1e-9, 1.0}, [](Scene& s, double v) {
+        s.solids[1].material.transmission = v;
+        s.solids[1].material.fresnel = true;
+    });
     expect_legal({0, 0.5}, [](Scene& s, double v) {
         s.solids[1].material.reflection = s.solids[1].material.transmission = v;
         s.solids[1].material.shininess = v * 1e300;
