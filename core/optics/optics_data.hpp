@@ -10,6 +10,7 @@ namespace zerkalo {
 struct LightData {
     Vec3<float> position;
     Rgb<float> power;       // color * intensity: E without the falloff
+    float falloff_limit;    // 1/d^2 beyond which E would be brighter than any sum can hold
     float highlight_limit;  // n x beyond which (1-x)^n E cannot change a picture by 2^-24
     std::uint8_t inverse_square;
     std::uint8_t distant;  // so far away that shadow rays must start at the surface

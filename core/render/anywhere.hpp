@@ -88,13 +88,15 @@ ZERKALO_ONCE AnyHit<R> nearest_anywhere(const Plan& plan, CandidateMask candidat
     for (CandidateMask left = solids_in(candidates); left != 0; left &= left - 1) {
         const int k = first_of(left);
         const SolidPlan& solid = plan.solids[k];
-        if (!plan.exact_plan && !may_meet(solid, o, d, active)) continue;
+        // The others take no part: what rounding makes of a solid far beside them must not depend on their neighbours.
+        const Mask<R> near = plan.exact_plan ? active : Mask<R>(may_meet(solid, o, d, active));
+        if (none(near)) continue;
         if (solid.shape == ShapeKind::mesh) {
-            keep_mesh(best, plan, solid, o, d, from, active, t_min);
+            keep_mesh(best, plan, solid, o, d, from, near, t_min);
         } else {
             with_span<Faces::both>(plan, k, PointOrigin<R>{o}, d,
                                    [&](const Span<FloatNumbers<R>>& span)
-                                       ZERKALO_INLINE_LAMBDA { keep_convex(best, span, solid, from, active, t_min); });
+                                       ZERKALO_INLINE_LAMBDA { keep_convex(best, span, solid, from, near, t_min); });
         }
     }
     for (CandidateMask left = mirrors_in(candidates); left != 0; left &= left - 1) {

@@ -9,11 +9,6 @@ constexpr float kUnbounded = std::numeric_limits<float>::infinity();
 
 bool is_tube(const Solid& solid) { return solid.kind == SolidKind::cylinder || solid.kind == SolidKind::cone; }
 
-double top_radius(const Solid& solid) {
-    if (solid.kind == SolidKind::pyramid) return 0;
-    return is_tube(solid) ? solid.radius * solid.taper : solid.radius;
-}
-
 Point mesh_corner(const Solid& solid, const Point& p) {
     return rotated(p * solid.scale, solid.rotation) + solid.position;
 }
@@ -37,6 +32,38 @@ struct SlabWriter {
     }
 };
 
+/// The side faces of a pyramid, in its own axes: n = (outward cos a, upward, outward sin a), n.p = offset from the
+/// middle.
+struct SideFaces {
+    double outward, upward, offset;
+};
+
+SideFaces side_faces(const Solid& pyramid) {
+    const double apothem = pyramid.radius * corner_angle(1, pyramid.sides).cosine;
+    const double slant = length({apothem, pyramid.height, 0});
+    return {pyramid.height / slant, apothem / slant, pyramid.height / slant * apothem / 2};
+}
+
+// A normal's components are rounded to 2^-25, a point's product with it to some more: a face that leans outward by less
+// than kFlat has lost its slope, one that leans upward by less than kSteep does not meet its neighbours at the apex.
+constexpr double kFaceRounding = 0x1p-22;
+constexpr double kFlat = 0x1p-11, kLow = 0x1p-5, kSteep = 0x1p-5;
+
+/// A pyramid this flat is drawn as the prism of its height: off by less than 2^-11 of its radius.
+bool is_flat(const Solid& solid) { return solid.kind == SolidKind::pyramid && side_faces(solid).outward < kFlat; }
+
+/// How far rounding may carry the side faces of a low pyramid outwards, as a share of its radius.
+double overhang(const Solid& solid) {
+    if (solid.kind != SolidKind::pyramid || is_flat(solid)) return 0;
+    const double outward = side_faces(solid).outward;
+    return outward < kLow ? kFaceRounding / outward : 0;
+}
+
+double top_radius(const Solid& solid) {
+    if (solid.kind == SolidKind::pyramid) return is_flat(solid) ? solid.radius : 0;
+    return is_tube(solid) ? solid.radius * solid.taper : solid.radius;
+}
+
 /// Even prisms pair their opposite sides into slabs; odd ones have single half-spaces.
 void write_prism(const Solid& solid, const Placement& at, SlabWriter& out) {
     const double apothem = solid.radius * corner_angle(1, solid.sides).cosine;
@@ -49,15 +76,16 @@ void write_prism(const Solid& solid, const Placement& at, SlabWriter& out) {
 }
 
 void write_pyramid(const Solid& solid, const Placement& at, SlabWriter& out) {
-    const double apothem = solid.radius * corner_angle(1, solid.sides).cosine;
-    const double slant = length({apothem, solid.height, 0});
-    const double outward = solid.height / slant, upward = apothem / slant;
+    const SideFaces sides = side_faces(solid);
     for (std::int32_t k = 0; k < solid.sides; ++k) {
         const SetupSineCosine angle = corner_angle(2 * k + 1, solid.sides);
-        const Point n = at.axis_x * (outward * angle.cosine) + at.axis_z * (outward * angle.sine) + at.axis_y * upward;
-        out.add(n, -kUnbounded, outward * apothem / 2);
+        const Point n = at.axis_x * (sides.outward * angle.cosine) + at.axis_z * (sides.outward * angle.sine) +
+                        at.axis_y * sides.upward;
+        out.add(n, -kUnbounded, sides.offset);
     }
-    out.add(at.axis_y, -solid.height / 2, kUnbounded);
+    // Above the apex, where rounding may have opened it.
+    const double lid = sides.upward < kSteep ? solid.height / 2 * (1 + 0x1p-17) : kUnbounded;
+    out.add(at.axis_y, -solid.height / 2, lid);
 }
 
 TubeData tube_of(const Solid& solid, const Placement& at) {
@@ -110,7 +138,7 @@ void hull_of(const Scene& scene, const Solid& solid, Hull& hull) {
     // Round outlines lie inside the octagon around them.
     const bool is_round = solid.kind == SolidKind::sphere || is_tube(solid);
     const std::int32_t corners = is_round ? 8 : solid.sides;
-    const double widen = is_round ? 1 / corner_angle(1, 8).cosine : 1;
+    const double widen = is_round ? 1 / corner_angle(1, 8).cosine : 1 + overhang(solid);
     for (std::int32_t k = 0; k < corners; ++k) {
         const SetupSineCosine angle = corner_angle(2 * k, corners);
         hull.points[hull.count++] = around(at, angle, solid.radius * widen, -half);
@@ -141,7 +169,7 @@ Ball ball_of(const Scene& scene, const Solid& solid) {
         return ball;
     }
     // The smallest ball around two coaxial circles: its centre on the axis, as far from both rims as it can be.
-    const double r0 = solid.radius, r1 = top_radius(solid), h = solid.height;
+    const double r0 = solid.radius * (1 + overhang(solid)), r1 = top_radius(solid), h = solid.height;
     double y = (h + (r1 - r0) * ((r1 + r0) / h)) / 2;
     y = y < 0 ? 0 : y > h ? h : y;
     const double to_base = length({r0, y, 0}), to_top = length({r1, h - y, 0});
@@ -167,8 +195,8 @@ void derive_solid(const Scene& scene, std::int32_t k, std::int32_t& slabs, std::
     } else {
         out.shape = ShapeKind::half_spaces;
         SlabWriter writer{plan.slabs + slabs};
-        if (solid.kind == SolidKind::prism) write_prism(solid, at, writer);
-        if (solid.kind == SolidKind::pyramid) write_pyramid(solid, at, writer);
+        const bool upright_sides = solid.kind == SolidKind::prism || is_flat(solid);
+        (upright_sides ? write_prism : write_pyramid)(solid, at, writer);
         out.half_spaces = {rounded(at.middle), slabs, writer.count, {}};
         for (std::int32_t s = 0; s < writer.count && s < kListedFaces; ++s) {
             const Vec3<float>& n = plan.slabs[slabs + s].n;

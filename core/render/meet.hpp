@@ -103,12 +103,12 @@ ZERKALO_INLINE MirrorHit<FloatNumbers<R>> plane_or_curved(const MirrorPlan& mirr
     return hit;
 }
 
-/// Can any of these rays come near the solid's bounding sphere? Conservative: false only if no lane can meet it.
+/// Lanes whose ray comes near the solid's bounding sphere. Conservative: without the others nothing is missed.
 template <class R>
-ZERKALO_INLINE bool may_meet(const SolidPlan& solid, Vec3<R> o, Vec3<R> d, Mask<R> active) {
+ZERKALO_INLINE Mask<R> may_meet(const SolidPlan& solid, Vec3<R> o, Vec3<R> d, Mask<R> active) {
     const Vec3<R> f = o - solid.bound_centre;
     const Vec3<R> l = f - d * dot(f, d);
-    return any(active & (dot(l, l) <= R(solid.bound_radius * solid.bound_radius)));
+    return active & (dot(l, l) <= R(solid.bound_radius * solid.bound_radius));
 }
 
 /// Unit normal at a point of a solid, turned against d (towards where the ray comes from), in the lanes of `here`.

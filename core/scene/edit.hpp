@@ -9,7 +9,7 @@ namespace zerkalo {
 Camera moved(const Camera& camera, const Vec3<double>& delta);
 Light moved(const Light& light, const Vec3<double>& delta);
 
-/// Turns view and up about the fixed axes x, then y, then z (2.12-2.14, column vectors). Radians.
+/// Turns view and up about the fixed axes x, then y, then z (2.12-2.14, column vectors). Radians, up to 1e7 degrees.
 Camera turned(const Camera& camera, const Vec3<double>& angles);
 
 /// Degrees to radians, rounded once.

@@ -17,6 +17,7 @@ constexpr int kMaxTriangles = 512;  // of all meshes together
 constexpr int kMinSides = 3;
 constexpr int kMaxSides = 64;
 constexpr double kMaxCoordinate = 1e15;
+constexpr double kMaxAngleDegrees = 1e7;  // of a rotation; sine and cosine of more would be noise
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The angle that was given stays; the other follows from the size that is rendered.
@@ -61,7 +62,7 @@ enum class SolidKind : std::uint8_t { pyramid, prism, sphere, cylinder, cone, me
 struct Solid {
     SolidKind kind = SolidKind::sphere;
     Vec3<double> position{0, 0, 0};
-    Vec3<double> rotation{0, 0, 0};  // radians about x, then y, then z, at `position`
+    Vec3<double> rotation{0, 0, 0};  // radians about x, then y, then z, at `position`; up to 1e7 degrees either way
     double radius = 1;               // circumradius of the base for pyramid and prism
     double height = 1;
     double taper = 1;

@@ -27,6 +27,17 @@ struct Checker {
         require(finite(v.x) && finite(v.y) && finite(v.z), field, "must be finite");
         require(v.x != 0 || v.y != 0 || v.z != 0, field, "must not be the zero vector");
     }
+    void rotation(const Vec3<double>& angles, const char* field) {
+        constexpr double kRoom = 1 + 0x1p-50;  // for the rounding of degrees to radians
+        constexpr double kLargest = kMaxAngleDegrees / 180 * kPi * kRoom;
+        require(within(angles.x, -kLargest, kLargest) && within(angles.y, -kLargest, kLargest) &&
+                    within(angles.z, -kLargest, kLargest),
+                field, "must be finite and at most 1e7 degrees in size");
+    }
+    template <class Choice>
+    void choice(Choice x, Choice last, const char* field) {
+        require(x <= last, field, "must be one of its enumerators");
+    }
     void size(double x, const char* field) {
         require(x > 0 && x <= kMaxCoordinate, field, "must be greater than 0 and at most 1e15");
     }
@@ -46,6 +57,7 @@ Status check_camera(const Camera& camera) {
     check.coordinate(camera.position, "position");
     check.direction(camera.view, "view");
     check.direction(camera.up, "up");
+    check.choice(camera.fov_axis, FovAxis::vertical, "fov_axis");
     check.require(camera.fov > 0 && camera.fov < kPi,
                   camera.fov_axis == FovAxis::horizontal ? "horizontal_fov_deg" : "vertical_fov_deg",
                   "must be greater than 0 and less than 180 degrees");
@@ -57,6 +69,7 @@ Status check_light(const Light& light, std::int32_t index) {
     check.coordinate(light.position, "position");
     check.brightness(light.color, "color");
     check.brightness(light.intensity, "intensity");
+    check.choice(light.falloff, Falloff::inverse_square, "falloff");
     return check.status;
 }
 
@@ -108,9 +121,9 @@ double signed_volume(const Triangle* triangles, std::int32_t count) {
 void check_mesh(Checker& check, const Scene& scene, const Solid& solid) {
     check.size(solid.scale, "scale");
     check.require(solid.triangle_count >= 4, "triangles", "must be at least 4: a closed surface");
-    check.require(solid.first_triangle >= 0 && solid.triangle_count <= scene.triangle_count &&
-                      solid.first_triangle <= scene.triangle_count - solid.triangle_count,
-                  "triangles", "must lie inside the scene's triangles");
+    const std::int64_t end = std::int64_t{solid.first_triangle} + solid.triangle_count;
+    check.require(solid.first_triangle >= 0 && end <= scene.triangle_count, "triangles",
+                  "must lie inside the scene's triangles");
     if (!check.status.ok()) return;
     const Triangle* first = scene.triangles + solid.first_triangle;
     for (std::int32_t k = 0; k < solid.triangle_count; ++k) {
@@ -129,9 +142,9 @@ void check_mesh(Checker& check, const Scene& scene, const Solid& solid) {
 
 Status check_solid(const Scene& scene, const Solid& solid, std::int32_t index) {
     Checker check{Part::solid, index};
+    check.choice(solid.kind, SolidKind::mesh, "kind");
     check.coordinate(solid.position, "position");
-    check.require(finite(solid.rotation.x) && finite(solid.rotation.y) && finite(solid.rotation.z), "rotate_deg",
-                  "must be finite");
+    check.rotation(solid.rotation, "rotate_deg");
     const bool polyhedron = solid.kind == SolidKind::pyramid || solid.kind == SolidKind::prism;
     const bool tube = solid.kind == SolidKind::cylinder || solid.kind == SolidKind::cone;
     if (polyhedron) check.require(solid.sides >= kMinSides && solid.sides <= kMaxSides, "sides", "must lie in 3..64");
@@ -161,6 +174,7 @@ bool is_convex_polygon(const Boundary& b) {
 }
 
 void check_boundary(Checker& check, const Boundary& b) {
+    check.choice(b.shape, BoundaryShape::polygon, "boundary.shape");
     if (b.shape == BoundaryShape::rectangle || b.shape == BoundaryShape::ellipse) {
         check.size(b.width, "boundary.width");
         check.size(b.height, "boundary.height");
@@ -190,6 +204,7 @@ Status check_mirror(const Mirror& mirror, std::int32_t index) {
         check.require(farthest_point(mirror.boundary) < radius, "curvature_radius",
                       "must be greater in size than the distance from the vertex to the boundary's farthest point");
     }
+    check.choice(mirror.lobe, Lobe::max_phong, "lobe");
     check.require(mirror.lobe_exponent >= 0, "lobe_exponent", "must be >= 0 (inf for a polished mirror)");
     check.share(mirror.color, "color");
     check.share(mirror.ambient, "ambient");

@@ -63,10 +63,10 @@ TEST(InlineMesh, CapacityIsReachedExactlyAndNotExceeded) {
 TEST(InlineMesh, WrongVerticesAndTrianglesAreErrorsAtTheirPlace) {
     const BadScene cases[] = {
         {kHead + kMesh + kVertices + "triangles = [[0, 2, 1], [0, 1, ^4]]\n",
-         "triangle 1: a vertex number must be a whole number from 0 to 3", ""},
+         "triangle 1 of \"triangles\": a vertex number must be a whole number from 0 to 3", ""},
         {kHead + kMesh + kVertices + "triangles = [[^-1, 2, 1]]\n", "from 0 to 3, not -1", ""},
         {kHead + kMesh + kVertices + "triangles = [[0, ^1.0, 2]]\n", "from 0 to 3, not 1", ""},
-        {kHead + kMesh + kVertices + "triangles = [^[0, 1]]\n", "triangle 0 must be three vertex numbers", ""},
+        {kHead + kMesh + kVertices + "triangles = [^[0, 1]]\n", "triangle 0 of \"triangles\" must be three vertex numbers", ""},
         {kHead + kMesh + kVertices + "triangles = ^[]\n",
          "\"triangles\" must be an array of arrays, not an empty array", "for example"},
         {kHead + kMesh + kVertices + "triangles = ^5\n", "\"triangles\" must be an array of arrays, not 5",
@@ -74,7 +74,7 @@ TEST(InlineMesh, WrongVerticesAndTrianglesAreErrorsAtTheirPlace) {
         {kHead + kMesh + "triangles = [[0, 1, 2]]\nvertices = ^'cube'\n", "\"vertices\" must be an array of arrays",
          "for example"},
         {kHead + kMesh + "triangles = [[0, 1, 1]]\nvertices = [[0, 0, 0], ^[0, 1]]\n",
-         "vertex 1 needs 3 numbers, here are 2", ""},
+         "vertex 1 of \"vertices\" needs 3 numbers, here are 2", ""},
         {kHead + kMesh + "triangles = [[0, 1, 1]]\nvertices = [[0, 0, 0], [0, ^nan, 1]]\n", "number 2 of vertex 1", ""},
     };
     for (const BadScene& bad : cases) expect_one_error(bad);

@@ -122,7 +122,7 @@ TEST(SceneFile, ArraysHaveAsManyNumbersAsTheyNeed) {
          "write 0.8, with a point"},
         {kHead + kSphere + "rotate_deg = ^[0, -1,5, 0]\n", "needs 3 numbers, here are 4", "write -1.5, with a point"},
         {kHead + polygon + "points = ^[[0, 0], [1, 0]]\n", "\"points\" must be 3 to 16 corners [x, y], not 2", ""},
-        {kHead + polygon + "points = [[0, 0], [1, 0], ^[1, 1, 1]]\n", "corner 3 needs 2 numbers, here are 3", ""},
+        {kHead + polygon + "points = [[0, 0], [1, 0], ^[1, 1, 1]]\n", "corner 3 of \"points\" needs 2 numbers, here are 3", ""},
         {kHead + polygon + "points = [[0, 0], [1, 0], [1, ^inf]]\n", "number 2 of corner 3", ""},
         {kHead + polygon + "points = ^'square'\n", "\"points\" must be 3 to 16 corners [x, y], not a string", ""},
     };

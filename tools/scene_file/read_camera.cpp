@@ -47,8 +47,11 @@ void read_camera(const toml::table& table, Report& report, Camera& camera) {
     read_view(reader, camera);
     read_opening(reader, camera);
     Vec3<double> delta{}, degrees{};
-    if (reader.point("move", delta)) camera = moved(camera, delta);
-    if (reader.point("turn_deg", degrees, kFinite)) {
+    if (reader.point("move", delta)) {
+        camera = moved(camera, delta);
+        reader.require_reachable("move", camera.position);
+    }
+    if (reader.point("turn_deg", degrees, kAngle)) {
         camera = turned(camera, {radians(degrees.x), radians(degrees.y), radians(degrees.z)});
     }
 }

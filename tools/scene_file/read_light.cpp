@@ -22,7 +22,10 @@ void read_light(const toml::table& table, Report& report, Light& light) {
     reader.number("intensity", kNotNegative, light.intensity);
     reader.choice("falloff", kFalloffs, light.falloff);
     Vec3<double> delta{};
-    if (reader.point("move", delta)) light = moved(light, delta);
+    if (reader.point("move", delta)) {
+        light = moved(light, delta);
+        reader.require_reachable("move", light.position);
+    }
 }
 
 }  // namespace zerkalo::scene_file

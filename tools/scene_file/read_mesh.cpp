@@ -43,7 +43,8 @@ void read_stl_file(TableReader& reader, const std::filesystem::path& directory, 
 std::vector<Vec3<double>> read_vertices(TableReader& reader, const toml::array& array) {
     std::vector<Vec3<double>> vertices;
     for (const toml::node& node : array) {
-        const auto corner = reader.numbers(node, "vertex " + std::to_string(vertices.size()), 3, kCoordinate);
+        const auto corner =
+            reader.numbers(node, "vertex " + std::to_string(vertices.size()) + " of \"vertices\"", 3, kCoordinate);
         vertices.push_back(corner ? Vec3<double>{(*corner)[0], (*corner)[1], (*corner)[2]} : Vec3<double>{0, 0, 0});
     }
     return vertices;
@@ -53,7 +54,7 @@ std::vector<Vec3<double>> read_vertices(TableReader& reader, const toml::array& 
 bool read_indices(TableReader& reader, const toml::node& node, std::size_t number, std::size_t vertex_count,
                   std::size_t (&indices)[3]) {
     const toml::array* array = node.as_array();
-    const std::string name = "triangle " + std::to_string(number);
+    const std::string name = "triangle " + std::to_string(number) + " of \"triangles\"";
     if (array == nullptr || array->size() != 3) {
         reader.error(position_of(node), name + " must be three vertex numbers [a, b, c]");
         return false;

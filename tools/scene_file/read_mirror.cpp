@@ -40,7 +40,8 @@ void read_corners(TableReader& reader, Boundary& boundary) {
         return;
     }
     for (std::size_t i = 0; i < count; ++i) {
-        const auto corner = reader.numbers((*points)[i], "corner " + std::to_string(i + 1), 2, kCoordinate);
+        const auto corner =
+            reader.numbers((*points)[i], "corner " + std::to_string(i + 1) + " of \"points\"", 2, kCoordinate);
         if (corner) boundary.corners[i] = {(*corner)[0], (*corner)[1]};
     }
     boundary.corner_count = static_cast<std::int32_t>(count);

@@ -88,7 +88,7 @@ void read_solid(const toml::table& table, const std::filesystem::path& directory
     }
     reader.point("position", solid.position);
     Vec3<double> degrees{};
-    if (reader.point("rotate_deg", degrees, kFinite)) {
+    if (reader.point("rotate_deg", degrees, kAngle)) {
         solid.rotation = {radians(degrees.x), radians(degrees.y), radians(degrees.z)};
     }
     read_material(reader, solid.material);

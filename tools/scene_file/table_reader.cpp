@@ -83,6 +83,11 @@ void TableReader::require(std::string_view key) {
     report_.error(header_of(table_), "missing key " + in_quotes(key) + ": " + what_ + " needs it");
 }
 
+void TableReader::require_reachable(std::string_view key, const Vec3<double>& place) {
+    if (kCoordinate.contains(place.x) && kCoordinate.contains(place.y) && kCoordinate.contains(place.z)) return;
+    report_.error(place_of(key), in_quotes(key) + " leads farther than 1e15 from the origin");
+}
+
 bool TableReader::at_most_one(std::string_view first, std::string_view second) {
     if (!has(first) || !has(second)) return true;
     const Position a = position_of_key(table_, first), b = position_of_key(table_, second);

@@ -25,6 +25,8 @@ public:
     /// From then on keys that are not allowed count as absent: one slip is one error.
     void allow(Words keys, Words keys_of_siblings = {});
     void require(std::string_view key);
+    /// An error at `key`, which has moved something to `place`, where that is no coordinate any more.
+    void require_reachable(std::string_view key, const Vec3<double>& place);
     /// Not both. Returns false after an error.
     bool at_most_one(std::string_view first, std::string_view second);
     /// Exactly one of the two. Returns false after an error.

@@ -67,6 +67,7 @@ LightData lamp(bool inverse_square) {
     light.power = {0.5f, 2, 1};
     light.inverse_square = inverse_square;
     // As set-up derives it: beyond this n x the highlight is below 2^-24.
+    light.falloff_limit = 0x1.fffffep+127f;
     light.highlight_limit = inverse_square ? 0x1.fffffep+127f : float(std::log(2 * 0x1p24));
     return light;
 }

@@ -109,7 +109,7 @@ TEST(Validate, SizesOfASolidAreNamed) {
     const auto no_size = {kNan, kInfinity, 0.0, -1.0, kTooFar};
     const auto far = {kNan, -kInfinity, -kTooFar};
     expect_refused(Part::solid, 1, "position", far, [](Scene& s, double v) { s.solids[1].position.x = v; });
-    expect_refused(Part::solid, 1, "rotate_deg", {kNan, kInfinity},
+    expect_refused(Part::solid, 1, "rotate_deg", {kNan, kInfinity, -1.8e5},
                    [](Scene& s, double v) { s.solids[1].rotation.y = v; });
     expect_refused(Part::solid, 1, "sides", {2, 65, 0, -3}, [](Scene& s, double v) { s.solids[1].sides = int(v); });
     expect_refused(Part::solid, 0, "radius", no_size, [](Scene& s, double v) { s.solids[0].radius = v; });
