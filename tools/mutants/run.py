@@ -165,7 +165,9 @@ def main():
     if options.markdown:
         pathlib.Path(options.markdown).write_text(table(results), encoding="utf-8")
     survivors = [mutant.name for mutant, verdict in results if not verdict.killed]
-    print(f"{len(results) - len(survivors)} of {len(results)} killed" + "".join(f"\nnot killed: {s}" for s in survivors))
+    print(f"{len(results) - len(survivors)} of {len(results)} killed")
+    for name in survivors:
+        print(f"not killed: {name}")
     return 1 if survivors else 0
 
 
