@@ -1,4 +1,4 @@
-"""The list of mutants: reading it, and replacing text in a tree of sources."""
+"""The lists of mutants: reading them, and replacing text in a tree of sources."""
 import dataclasses
 import pathlib
 
@@ -22,7 +22,7 @@ class Mutant:
 
 
 def add_line(mutants, line):
-    """One line of the list. Leading blanks of continued lines do not count: see fitted()."""
+    """Takes in one line of a list: README.md says what it may be."""
     word, _, rest = line.partition(" ")
     if word == "mutant":
         name, colon, fault = rest.partition(": ")
@@ -41,11 +41,13 @@ def add_line(mutants, line):
         raise BadList(f'"{line}": neither mutant, in, - nor +, or out of order')
 
 
-def read(path):
+def read(paths):
+    """All mutants of several lists, in order."""
     mutants = []
-    for line in pathlib.Path(path).read_text(encoding="utf-8").splitlines():
-        if line.strip() and not line.startswith("#"):
-            add_line(mutants, line)
+    for path in paths:
+        for line in pathlib.Path(path).read_text(encoding="utf-8").splitlines():
+            if line.strip() and not line.startswith("#"):
+                add_line(mutants, line)
     for mutant in mutants:
         if not mutant.replacements or not all(r.old for r in mutant.replacements):
             raise BadList(f"{mutant.name}: nothing to replace")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Builds every mutant of mutants.txt and runs the laws against it: each must be killed by one.
+"""Builds every mutant of the lists beside it and runs the laws against it: each must be killed by one.
 
     tools/mutants/run.py                        # all of them
     tools/mutants/run.py --only tube --only seed-2  # those whose name contains one of the words
@@ -21,7 +21,8 @@ import time
 import mutant_list
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-LIST = pathlib.Path(__file__).resolve().with_name("mutants.txt")
+# The course work's own faults first.
+LISTS = sorted(pathlib.Path(__file__).resolve().parent.glob("*.txt"), key=lambda path: (path.stem != "seed", path))
 
 # Test programs that ask nothing of the core's formulas, or compare pictures without saying what is wrong with them.
 OTHER_FOLDERS = {"platform", "reference", "scene_file", "command_line", "golden", "vm", "proofs", "consumer"}
@@ -151,7 +152,7 @@ def main():
     parser.add_argument("--markdown", metavar="FILE", help="where to write the table")
     options = parser.parse_args()
     try:
-        mutants = mutant_list.read(LIST)
+        mutants = mutant_list.read(LISTS)
         for mutant in mutants:
             mutant_list.mutated_files(ROOT, mutant)
         if options.check:
