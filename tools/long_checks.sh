@@ -28,7 +28,8 @@ while [ $# -gt 0 ]; do
             if [ "$1" = --rays ]; then rays=$2; else leak_rays=$2; fi
             shift 2 ;;
         --only)
-            [[ ${2:-} =~ ^(oracle|leaks|mutants)$ ]] || { echo "long_checks.sh: --only oracle, leaks or mutants" >&2; exit 2; }
+            [[ ${2:-} =~ ^(oracle|leaks|mutants)$ ]] ||
+                { echo "long_checks.sh: --only oracle, leaks or mutants" >&2; exit 2; }
             only+=("$2")
             shift 2 ;;
         *) echo "long_checks.sh: unknown argument \"$1\"; see --help" >&2; exit 2 ;;
@@ -51,7 +52,8 @@ build_oracle() {
 # Each primitive is a test of its own, so all processors are busy.
 run_oracle() {
     "$program" --gtest_list_tests --gtest_filter='*PrimitiveOracle*' | sed -nE 's/^ +[^/]*\/([a-z_]+) .*/\1/p' |
-        ZERKALO_ORACLE_RAYS=$rays xargs -P "$(nproc)" -I{} "$program" --gtest_brief=1 --gtest_filter='*PrimitiveOracle*/{}'
+        ZERKALO_ORACLE_RAYS=$rays xargs -P "$(nproc)" -I{} \
+            "$program" --gtest_brief=1 --gtest_filter='*PrimitiveOracle*/{}'
 }
 
 run_leaks() { ZERKALO_LEAK_RAYS=$leak_rays "$program" --gtest_brief=1 --gtest_filter='Leaks.*'; }

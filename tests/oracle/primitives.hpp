@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <ostream>
 
 namespace zerkalo::test {
 
@@ -28,6 +29,8 @@ struct Primitive {
     const char* name;
     Instance (*next)(Random& random);
 };
+/// How GoogleTest prints the parameter.
+inline void PrintTo(const Primitive& primitive, std::ostream* out) { *out << primitive.name; }
 
 /// Sphere, cylinder, cone, frustum, prism, pyramid, plane mirror, curved mirror, triangle.
 const std::vector<Primitive>& primitives();
