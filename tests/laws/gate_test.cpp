@@ -1,4 +1,5 @@
-// Light from behind a surface adds nothing, not even a highlight (what the course work's formulas 1.3, 1.4 leave out).
+// Where a light adds nothing, not even a highlight: behind a surface (which the course work's formulas 1.3 and 1.4
+// leave out), and on the back of a mirror.
 #include "tests/laws/staging.hpp"
 
 #include <gtest/gtest.h>
@@ -35,6 +36,25 @@ TEST(Highlight, IsNotSeenWhereTheLightIsBehindTheSurface) {
         Scene before = scene;
         before.lights[0].position.z = 10;
         EXPECT_GT(pixels_apart(image, render(before, of_size(64, 64))), 1000) << "the same lamp before it shows";
+    }
+}
+
+TEST(Highlight, IsNotSeenOnTheBackOfAMirror) {
+    Scene alone;
+    Mirror mirror = ideal_mirror({0, 0, 0}, {0, 0, 1}, 2);
+    mirror.specular = 1;
+    mirror.shininess = 1;
+    add(alone, mirror);
+    add(alone, lamp({1, 0, 10}));
+    alone.camera = camera_at({0, 0, 10}, {0, 0, -1}, 0.25);
+    for (const Scene& front : {alone, with_two_mirrors_elsewhere(alone)}) {
+        Scene back = front;
+        back.mirrors[0].normal = {0, 0, -1};
+        Scene dark = back;
+        dark.light_count = 0;
+        const Image unlit = render(dark, of_size(64, 64));
+        EXPECT_EQ(pixels_apart(render(back, of_size(64, 64)), unlit), 0) << front.mirror_count << " mirrors";
+        EXPECT_GT(pixels_apart(render(front, of_size(64, 64)), unlit), 1000) << "the front shines";
     }
 }
 

@@ -26,6 +26,8 @@ LISTS = sorted(pathlib.Path(__file__).resolve().parent.glob("*.txt"), key=lambda
 
 # Test programs that ask nothing of the core's formulas, or compare pictures without saying what is wrong with them.
 OTHER_FOLDERS = {"platform", "reference", "scene_file", "command_line", "golden", "vm", "proofs", "consumer"}
+# Tests that compare whole pictures with those of the reference tracer.
+COMPARISONS = "Oracle.*:*Reference*"
 # A test that takes this long where the unchanged project takes seconds hangs.
 TIME_LIMIT = 300
 
@@ -85,8 +87,12 @@ class Project:
         return Verdict(False, "survived", time.monotonic() - start)
 
     def first_failure(self, program):
+        """The name of the first law that fails; a law that says what is wrong before one that only compares."""
+        return self.first_of(program, "-" + COMPARISONS) or self.first_of(program, COMPARISONS)
+
+    def first_of(self, program, names):
         try:
-            ran = self.call([self.build / program, "--gtest_fail_fast", "--gtest_brief=0"], timeout=TIME_LIMIT,
+            ran = self.call([self.build / program, "--gtest_fail_fast", "--gtest_filter=" + names], timeout=TIME_LIMIT,
                             cwd=self.build / program.rpartition("/")[0])
         except subprocess.TimeoutExpired as late:
             return last_started(late.stdout or "") + " (does not end)"
