@@ -58,5 +58,21 @@ TEST(Highlight, IsNotSeenOnTheBackOfAMirror) {
     }
 }
 
+// A lamp at height 4 over a floor, a mirror of half-width 1 half-way: a shadow twice as wide, whichever side is up.
+TEST(Shadow, OfAMirrorIsThatOfItsOutline) {
+    for (const double up : {-1.0, 1.0}) {
+        Scene alone;
+        alone.ambient = {0, 0, 0};
+        add(alone, box({0, -1, 0}, 64, 1, chalk()));
+        add(alone, lamp({0, 4, 0}));
+        add(alone, ideal_mirror({0, 2, 0}, {0, up, 0}, 2));
+        for (const Scene& scene : {alone, with_two_mirrors_elsewhere(alone)}) {
+            const auto dark = [&](double x) { return look(scene, {x, 3, 8}, {0, -3, -8}).g == 0; };
+            constexpr double kFloatLengths = 1e-6;
+            EXPECT_NEAR(where_it_ends(0, 10, dark), 2, kFloatLengths) << scene.mirror_count << " mirrors, up " << up;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace zerkalo::laws
