@@ -12,11 +12,11 @@ struct IsaRow {
     const KernelTable* table;
 };
 
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(ZERKALO_SCALAR_ONLY)
 constexpr IsaRow kRows[kIsaCount] = {{"scalar", 1, &kKernels_scalar},  {"sse2", 4, &kKernels_sse2},
                                      {"sse4.2", 4, &kKernels_sse4_2},  {"avx2", 8, &kKernels_avx2},
                                      {"avx512", 16, &kKernels_avx512}, {"neon", 4, nullptr}};
-#elif defined(__aarch64__)
+#elif defined(__aarch64__) && !defined(ZERKALO_SCALAR_ONLY)
 constexpr IsaRow kRows[kIsaCount] = {{"scalar", 1, &kKernels_scalar}, {"sse2", 4, nullptr},
                                      {"sse4.2", 4, nullptr},          {"avx2", 8, nullptr},
                                      {"avx512", 16, nullptr},         {"neon", 4, &kKernels_neon}};

@@ -186,6 +186,32 @@ TEST_P(HalfSpaces, RayInTheSharedPlaneMeetsOneOfTwoStackedSolids) {
     EXPECT_EQ(hits, 2);
 }
 
+// Through the edge of a cube both faces are entered at the same t, to the bit: the first of the list is named, whichever
+// of the two it is.
+TEST_P(HalfSpaces, RayThroughAnEdgeIsNamedAfterTheFirstFace) {
+    Solid cube;
+    cube.kind = SolidKind::prism;
+    cube.radius = std::sqrt(2.0), cube.height = 2;
+    cube.rotation = {0, 3.14159265358979323846 / 4, 0};
+    const auto plan = plan_of(cube);
+    const HalfSpacesData& body = plan->solids[0].half_spaces;
+    const float root = std::sqrt(0.5f);
+    RayList rays;
+    for (const float side : {-1.0f, 1.0f}) rays.add({4 * side, 1, 4 * side}, {-root * side, 0, -root * side});
+    rays.pad();
+    for (int order = 0; order < 2; ++order) {
+        const SpanList spans = spans_of(shapes(), *plan, rays);
+        for (std::size_t k = 0; k < 2; ++k) {
+            EXPECT_LT(spans.entry[k], spans.exit[k]) << text(rays, k);
+            EXPECT_EQ(spans.face_in[k], 0) << text(rays, k) << " order " << order;
+            EXPECT_EQ(spans.face_out[k], 0) << text(rays, k) << " order " << order;
+        }
+        // The other way round: if it were no tie, the other face would be named now.
+        std::swap(plan->slabs[body.first_slab], plan->slabs[body.first_slab + 1]);
+        std::swap(plan->slabs[body.first_slab].index, plan->slabs[body.first_slab + 1].index);
+    }
+}
+
 TEST_P(HalfSpaces, EveryWidthGivesTheSameBits) {
     Random random(36);
     for_each_polyhedron(random, [&](const Solid& solid) {

@@ -34,12 +34,12 @@ inline std::vector<Width> all_widths() {
     };
     std::vector<Width> widths{{Isa::scalar, &kProbes_scalar.wide}};
     const auto add = [&](const std::vector<Width>& more) { widths.insert(widths.end(), more.begin(), more.end()); };
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(ZERKALO_SCALAR_ONLY)
     add(pair(Isa::sse2, kProbes_sse2));
     add(pair(Isa::sse4_2, kProbes_sse4_2));
     add(pair(Isa::avx2, kProbes_avx2));
     add(pair(Isa::avx512, kProbes_avx512));
-#elif defined(__aarch64__)
+#elif defined(__aarch64__) && !defined(ZERKALO_SCALAR_ONLY)
     add(pair(Isa::neon, kProbes_neon));
 #else
     (void)pair, (void)add;
