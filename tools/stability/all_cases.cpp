@@ -1,0 +1,17 @@
+// See stiff_case.hpp.
+#include "tools/stability/stiff_case.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace zerkalo::stability {
+
+std::vector<StiffCase> all_cases() {
+    std::vector<StiffCase> cases;
+    for (const auto rows : {far_camera_rows()}) cases.insert(cases.end(), rows.begin(), rows.end());
+    std::sort(cases.begin(), cases.end(),
+              [](const StiffCase& a, const StiffCase& b) { return std::strcmp(a.id, b.id) < 0; });
+    return cases;
+}
+
+}  // namespace zerkalo::stability
