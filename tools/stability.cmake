@@ -3,6 +3,7 @@ add_library(zerkalo_stability STATIC
   stability/all_cases.cpp
   stability/far_camera_rows.cpp
   stability/solid_size_rows.cpp
-  stability/stage.cpp)
+  stability/stage.cpp
+  stability/taper_rows.cpp)
 target_include_directories(zerkalo_stability PUBLIC ${PROJECT_SOURCE_DIR})
 target_link_libraries(zerkalo_stability PUBLIC zerkalo::core PRIVATE zerkalo_options)

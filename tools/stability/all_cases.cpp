@@ -11,6 +11,7 @@ std::vector<StiffCase> all_cases() {
     for (const auto rows : {
              far_camera_rows(),
              solid_size_rows(),
+             taper_rows(),
          }) cases.insert(cases.end(), rows.begin(), rows.end());
     std::sort(cases.begin(), cases.end(),
               [](const StiffCase& a, const StiffCase& b) { return std::strcmp(a.id, b.id) < 0; });
