@@ -11,6 +11,7 @@ std::vector<StiffCase> all_cases() {
     for (const auto rows : {
              far_camera_rows(),
              lobe_rows(),
+             polish_rows(),
              solid_size_rows(),
              taper_rows(),
          }) cases.insert(cases.end(), rows.begin(), rows.end());
