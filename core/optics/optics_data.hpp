@@ -7,6 +7,10 @@
 
 namespace zerkalo {
 
+/// No light and no share of it is brighter. Sums over lights, bounces and camera rays then stay within float: a picture
+/// holds no infinity, and no NaN where a tint of 0 meets one.
+constexpr float kBrightest = 0x1p102f;
+
 struct LightData {
     Vec3<float> position;
     Rgb<float> power;       // color * intensity: E without the falloff

@@ -51,8 +51,9 @@ ZERKALO_INLINE Rgb<R> light_share(const LightData& light, const ToLight<R>& to, 
     share = spread<R>(light.power) * share;
     if (light.inverse_square) {
         // A light on the surface itself: the largest float instead of infinity, so that zero stays zero.
-        const R scale = R(1) / (to.distance * to.distance);
-        share = scaled(share, min(scale, R(0x1.fffffep+127f)));
+        const R scale = min(R(1) / (to.distance * to.distance), R(0x1.fffffep+127f));
+        const R brightest = R(kBrightest);
+        share = {min(share.r * scale, brightest), min(share.g * scale, brightest), min(share.b * scale, brightest)};
     }
     return share;
 }

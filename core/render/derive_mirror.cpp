@@ -8,7 +8,7 @@ constexpr double kLargestFloat = 0x1.fffffep+127;
 constexpr double kTailBound = 0x1p-11;  // share of a lobe's energy that culling may leave out
 
 Rgb<float> rounded_colour(const Rgb<double>& c) {
-    const auto saturated = [](double x) { return float(x < kLargestFloat ? x : kLargestFloat); };
+    const auto saturated = [](double x) { return x < kBrightest ? float(x) : kBrightest; };
     return {saturated(c.r), saturated(c.g), saturated(c.b)};
 }
 
