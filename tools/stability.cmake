@@ -2,6 +2,7 @@
 add_library(zerkalo_stability STATIC
   stability/all_cases.cpp
   stability/far_camera_rows.cpp
+  stability/lamp_rows.cpp
   stability/lobe_rows.cpp
   stability/polish_rows.cpp
   stability/solid_size_rows.cpp

@@ -10,6 +10,7 @@ std::vector<StiffCase> all_cases() {
     std::vector<StiffCase> cases;
     for (const auto rows : {
              far_camera_rows(),
+             lamp_rows(),
              lobe_rows(),
              polish_rows(),
              solid_size_rows(),

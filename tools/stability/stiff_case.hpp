@@ -30,6 +30,7 @@ std::vector<StiffCase> all_cases();
 
 /// The cases of one file each, in the order of their numbers.
 std::span<const StiffCase> far_camera_rows();
+std::span<const StiffCase> lamp_rows();
 std::span<const StiffCase> lobe_rows();
 std::span<const StiffCase> polish_rows();
 std::span<const StiffCase> solid_size_rows();
