@@ -25,6 +25,7 @@ struct SurfaceData {
     Rgb<float> diffuse;   // C K_d
     Rgb<float> specular;  // F K_s: F = 1 on solids, the tint on mirrors
     float shininess;      // n
+    std::uint32_t unlit_by = 0;  // bit j: light j lies in or behind the plane of this side
 };
 
 /// What a solid's surface passes on: K_r, K_t and the two ratios of indices.

@@ -33,6 +33,7 @@ enum Feature : std::uint32_t {
     kFeatureShadow = 1u << 12,  // lights and something to cast a shadow
     kFeatureMaxPhong = 1u << 13,
     kFeatureAntialias = 1u << 14,
+    kFeatureFlush = 1u << 15,  // a solid's face lies in the plane of a mirror and looks to the camera's side
 };
 
 /// How the rays of one kind meet a solid: the closed list of kernels behind the six kinds of a scene.
@@ -64,6 +65,8 @@ struct MirrorPlan {
     Rgb<float> reflectance;  // F K_r
     LobeData lobe;
     LatticeChunk lattice;  // the lobe's first points; all of them if `samples` are at most kChunk
+    std::uint32_t flush;            // bit k: a face of solid k lies in the mirror's plane
+    float flush_face[kMaxSolids];   // which one
     std::uint8_t curved;
     std::uint8_t reflects;
 };

@@ -9,11 +9,14 @@ namespace zerkalo::stability {
 std::vector<StiffCase> all_cases() {
     std::vector<StiffCase> cases;
     for (const auto rows : {
+             bounce_rows(),
+             contact_rows(),
              far_camera_rows(),
              lamp_rows(),
              lobe_rows(),
              polish_rows(),
              solid_size_rows(),
+             sun_rows(),
              taper_rows(),
          }) cases.insert(cases.end(), rows.begin(), rows.end());
     std::sort(cases.begin(), cases.end(),
