@@ -18,14 +18,15 @@ set(zerkalo_sources
   zerkalo/render_command.cpp
   zerkalo/compare_command.cpp
   zerkalo/show_command.cpp
-  zerkalo/doctor_command.cpp)
+  zerkalo/doctor_command.cpp
+  zerkalo/stability_command.cpp)
 
 # zerkalo_program(NAME PLATFORM...): the program, with what stands for the platform library.
 function(zerkalo_program name)
   add_executable(${name} ${zerkalo_sources})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_definitions(${name} PRIVATE ZERKALO_VERSION="${PROJECT_VERSION}")
-  target_link_libraries(${name} PRIVATE zerkalo_options zerkalo_scene_file ${ARGN} zerkalo::core
+  target_link_libraries(${name} PRIVATE zerkalo_options zerkalo_scene_file zerkalo_stability ${ARGN} zerkalo::core
     CLI11::CLI11 Threads::Threads)
 endfunction()
 

@@ -7,6 +7,11 @@
 
 namespace zerkalo {
 
+/// No surface, no light and no share of it is brighter. Sums of 2^22 such terms, over lights, bounces and camera rays,
+/// then stay within float: a picture holds no infinity, and no NaN where a tint of 0 meets one. Enough for brightness 1
+/// from a light at the largest distance squared, 1e30.
+constexpr float kBrightest = 0x1p100f;
+
 struct LightData {
     Vec3<float> position;
     Rgb<float> power;       // color * intensity: E without the falloff
@@ -22,6 +27,7 @@ struct SurfaceData {
     Rgb<float> diffuse;   // C K_d
     Rgb<float> specular;  // F K_s: F = 1 on solids, the tint on mirrors
     float shininess;      // n
+    std::uint32_t unlit_by = 0;  // bit j: light j lies in or behind the plane of this side
 };
 
 /// What a solid's surface passes on: K_r, K_t and the two ratios of indices.

@@ -6,6 +6,7 @@
 //     inside of a convex solid     one root is zero analytically: the other, the exit, is taken
 //     from a mesh                  only front faces (outside) or back faces (inside), and not the own triangle
 //     from a plane mirror          it cannot meet it again; from a curved one: the chord, in closed form
+//     from a face in its plane     nor can it meet the mirror; and where both are met, the solid is
 #pragma once
 
 #include "core/render/shade.hpp"
@@ -59,6 +60,17 @@ ZERKALO_INLINE void keep_mesh(AnyHit<R>& best, const Plan& plan, const SolidPlan
     best.from_inside = select(nearer, hit.back, best.from_inside);
 }
 
+/// Lanes on a face that lies in the mirror's plane.
+template <class R>
+ZERKALO_INLINE Mask<R> flush_with(const MirrorPlan& mirror, R id, R face) {
+    auto flush = Mask<R>(false);
+    for (std::uint32_t left = mirror.flush; left != 0; left &= left - 1) {
+        const int k = first_of(left);
+        flush = flush | ((id == R(float(k))) & (face == R(mirror.flush_face[k])));
+    }
+    return flush;
+}
+
 /// Mirror m met by rays from anywhere, its own ones included. Solids win ties: only a smaller t counts.
 template <class R>
 ZERKALO_INLINE MirrorHit<FloatNumbers<R>> any_mirror_hit(const Plan& plan, int m, Vec3<R> o, Vec3<R> d,
@@ -69,6 +81,7 @@ ZERKALO_INLINE MirrorHit<FloatNumbers<R>> any_mirror_hit(const Plan& plan, int m
     const Vec3<R> local_o = mirror_seen_from<N>(mirror.shape, o);
     MirrorHit<N> hit = plane_or_curved(mirror, local_o, d, t_min);
     hit.hit = hit.hit & (!own);
+    if (mirror.flush != 0) hit.hit = hit.hit & (!flush_with(mirror, from.id, from.face));
     if (mirror.curved && any(own)) {
         const auto chord = own_chord_hit<N>(mirror.shape, local_o, in_mirror_axes(mirror.shape, d), R(0));
         hit.hit = hit.hit | (own & chord.hit);
@@ -102,7 +115,8 @@ ZERKALO_ONCE AnyHit<R> nearest_anywhere(const Plan& plan, CandidateMask candidat
     for (CandidateMask left = mirrors_in(candidates); left != 0; left &= left - 1) {
         const int m = first_of(left);
         const auto hit = any_mirror_hit(plan, m, o, d, from, t_min);
-        const auto nearer = active & hit.hit & (hit.t < best.t);
+        auto nearer = active & hit.hit & (hit.t < best.t);
+        if (plan.mirrors[m].flush != 0) nearer = nearer & (!flush_with(plan.mirrors[m], best.id, best.face));
         best.t = select(nearer, hit.t, best.t);
         best.id = select(nearer, R(float(kMaxSolids + m)), best.id);
         best.from_inside = best.from_inside & (!nearer);

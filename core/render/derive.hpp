@@ -24,6 +24,17 @@ struct Placement {
 };
 
 Placement placement_of(const Solid& solid);
+
+/// Two parallel planes that bound a solid, seen from its middle: lo <= n.p <= hi; lo = -infinity for a single one.
+struct FacePair {
+    Vec3<double> n;
+    double lo, hi;
+    float index;  // of the face, as kernels know it
+};
+
+/// The flat faces of a convex solid, at most kMaxSides + 1; returns how many. Not for meshes: none.
+std::int32_t faces_of(const Solid& solid, FacePair* faces);
+
 Ball ball_of(const Scene& scene, const Solid& solid);
 void hull_of(const Scene& scene, const Solid& solid, Hull& hull);
 

@@ -7,12 +7,8 @@ namespace {
 constexpr double kLargestFloat = 0x1.fffffep+127;
 constexpr double kTailBound = 0x1p-11;  // share of a lobe's energy that culling may leave out
 
-// No surface or light is brighter: sums of 2^22 such terms are still finite. Enough for brightness 1 from a light at
-// the largest distance squared, 1e30.
-constexpr double kBrightest = 0x1p100;
-
 Rgb<float> rounded_colour(const Rgb<double>& c) {
-    const auto saturated = [](double x) { return float(x < kBrightest ? x : kBrightest); };
+    const auto saturated = [](double x) { return x < kBrightest ? float(x) : kBrightest; };
     return {saturated(c.r), saturated(c.g), saturated(c.b)};
 }
 
@@ -93,7 +89,7 @@ LightData derive_light(const Light& light) {
     out.power = rounded_colour(scaled(light.color, light.intensity));
     out.inverse_square = light.falloff == Falloff::inverse_square;
     const double brightest = larger(out.power.r, larger(out.power.g, out.power.b));
-    const double falloff = brightest > 0 ? kBrightest / brightest : kLargestFloat;
+    const double falloff = brightest > 0 ? double{kBrightest} / brightest : kLargestFloat;
     out.falloff_limit = float(falloff < kLargestFloat ? falloff : kLargestFloat);
     // (1 - x)^n <= e^(-n x): beyond this n x the highlight is below 2^-24 of full brightness.
     out.highlight_limit = out.inverse_square ? float(kLargestFloat) : float(natural_log(larger(1, brightest) * 0x1p24));

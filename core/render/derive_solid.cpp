@@ -1,11 +1,7 @@
 #include "core/render/derive.hpp"
 
-#include <limits>
-
 namespace zerkalo {
 namespace {
-
-constexpr float kUnbounded = std::numeric_limits<float>::infinity();
 
 bool is_tube(const Solid& solid) { return solid.kind == SolidKind::cylinder || solid.kind == SolidKind::cone; }
 
@@ -22,12 +18,12 @@ Point around(const Placement& at, SetupSineCosine angle, double radius, double y
     return at.middle + at.axis_x * (radius * angle.cosine) + at.axis_z * (radius * angle.sine) + at.axis_y * y;
 }
 
-struct SlabWriter {
-    Slab* next;
+struct FaceWriter {
+    FacePair* next;
     std::int32_t count = 0;
 
     void add(const Point& n, double lo, double hi) {
-        next[count] = Slab{rounded(n), float(lo), float(hi), float(count)};
+        next[count] = {n, lo, hi, float(count)};
         ++count;
     }
 };
@@ -65,27 +61,38 @@ double top_radius(const Solid& solid) {
 }
 
 /// Even prisms pair their opposite sides into slabs; odd ones have single half-spaces.
-void write_prism(const Solid& solid, const Placement& at, SlabWriter& out) {
+void write_prism(const Solid& solid, const Placement& at, FaceWriter& out) {
     const double apothem = solid.radius * corner_angle(1, solid.sides).cosine;
     const bool even = solid.sides % 2 == 0;
     for (std::int32_t k = 0; k < (even ? solid.sides / 2 : solid.sides); ++k) {
         const SetupSineCosine angle = corner_angle(2 * k + 1, solid.sides);
-        out.add(at.axis_x * angle.cosine + at.axis_z * angle.sine, even ? -apothem : -kUnbounded, apothem);
+        out.add(at.axis_x * angle.cosine + at.axis_z * angle.sine, even ? -apothem : -kInfinity, apothem);
     }
     out.add(at.axis_y, -solid.height / 2, solid.height / 2);
 }
 
-void write_pyramid(const Solid& solid, const Placement& at, SlabWriter& out) {
+void write_pyramid(const Solid& solid, const Placement& at, FaceWriter& out) {
     const SideFaces sides = side_faces(solid);
     for (std::int32_t k = 0; k < solid.sides; ++k) {
         const SetupSineCosine angle = corner_angle(2 * k + 1, solid.sides);
         const Point n = at.axis_x * (sides.outward * angle.cosine) + at.axis_z * (sides.outward * angle.sine) +
                         at.axis_y * sides.upward;
-        out.add(n, -kUnbounded, sides.offset);
+        out.add(n, -kInfinity, sides.offset);
     }
     // Above the apex, where rounding may have opened it.
-    const double lid = sides.upward < kSteep ? solid.height / 2 * (1 + 0x1p-17) : kUnbounded;
+    const double lid = sides.upward < kSteep ? solid.height / 2 * (1 + 0x1p-17) : kInfinity;
     out.add(at.axis_y, -solid.height / 2, lid);
+}
+
+void write_half_spaces(const Solid& solid, const Placement& at, std::int32_t first, Plan& plan, HalfSpacesData& out) {
+    FacePair faces[kMaxSides + 1];
+    const std::int32_t count = faces_of(solid, faces);
+    out = {rounded(at.middle), first, count, {}};
+    for (std::int32_t s = 0; s < count; ++s) {
+        const Vec3<float> n = rounded(faces[s].n);
+        plan.slabs[first + s] = {n, float(faces[s].lo), float(faces[s].hi), faces[s].index};
+        if (s < kListedFaces) out.normals.x[s] = n.x, out.normals.y[s] = n.y, out.normals.z[s] = n.z;
+    }
 }
 
 TubeData tube_of(const Solid& solid, const Placement& at) {
@@ -122,6 +129,21 @@ Placement placement_of(const Solid& solid) {
     const bool has_base = solid.kind != SolidKind::sphere && solid.kind != SolidKind::mesh;
     at.middle = has_base ? solid.position + at.axis_y * (solid.height / 2) : solid.position;
     return at;
+}
+
+std::int32_t faces_of(const Solid& solid, FacePair* faces) {
+    const Placement at = placement_of(solid);
+    FaceWriter writer{faces};
+    if (solid.kind == SolidKind::prism || is_flat(solid)) {
+        write_prism(solid, at, writer);
+    } else if (solid.kind == SolidKind::pyramid) {
+        write_pyramid(solid, at, writer);
+    }
+    if (is_tube(solid)) {
+        faces[0] = {at.axis_y, -solid.height / 2, solid.height / 2, kCapFace};
+        writer.count = 1;
+    }
+    return writer.count;
 }
 
 void hull_of(const Scene& scene, const Solid& solid, Hull& hull) {
@@ -194,16 +216,8 @@ void derive_solid(const Scene& scene, std::int32_t k, std::int32_t& slabs, std::
         triangles += solid.triangle_count;
     } else {
         out.shape = ShapeKind::half_spaces;
-        SlabWriter writer{plan.slabs + slabs};
-        const bool upright_sides = solid.kind == SolidKind::prism || is_flat(solid);
-        (upright_sides ? write_prism : write_pyramid)(solid, at, writer);
-        out.half_spaces = {rounded(at.middle), slabs, writer.count, {}};
-        for (std::int32_t s = 0; s < writer.count && s < kListedFaces; ++s) {
-            const Vec3<float>& n = plan.slabs[slabs + s].n;
-            FaceNormals& normals = out.half_spaces.normals;
-            normals.x[s] = n.x, normals.y[s] = n.y, normals.z[s] = n.z;
-        }
-        slabs += writer.count;
+        write_half_spaces(solid, at, slabs, plan, out.half_spaces);
+        slabs += out.half_spaces.slab_count;
     }
     const Material& m = solid.material;
     out.surface = derive_surface(m, scene.ambient);

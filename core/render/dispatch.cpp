@@ -29,7 +29,8 @@ constexpr IsaRow kRows[kIsaCount] = {{"scalar", 1, &kKernels_scalar}, {"sse2", 4
 const IsaRow& row_of(Isa isa) { return kRows[static_cast<int>(isa)]; }
 
 constexpr std::uint32_t kNeedsGeneral =
-    kFeatureChain | kFeatureBranch | kFeatureCurved | kFeatureMesh | kFeatureFar | kFeatureInside;
+    kFeatureChain | kFeatureBranch | kFeatureCurved | kFeatureMesh | kFeatureFar | kFeatureInside |
+    kFeatureFlush;
 
 struct FeatureName {
     std::uint32_t bit;
@@ -52,6 +53,7 @@ constexpr FeatureName kFeatureNames[] = {
     {kFeatureFar, "far"},
     {kFeatureInside, "inside"},
     {kFeatureAntialias, "antialias"},
+    {kFeatureFlush, "flush"},
 };
 
 std::int32_t tiles_across(const Plan& plan) { return (plan.width + kTileSide - 1) / kTileSide; }

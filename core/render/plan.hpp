@@ -34,6 +34,7 @@ enum Feature : std::uint32_t {
     kFeatureMaxPhong = 1u << 13,
     kFeatureAntialias = 1u << 14,
     kFeatureFresnel = 1u << 15,  // a transparent solid that reflects by Fresnel's equations
+    kFeatureFlush = 1u << 16,    // a solid's face lies in the plane of a mirror and looks to the camera's side
 };
 
 /// How the rays of one kind meet a solid: the closed list of kernels behind the six kinds of a scene.
@@ -65,6 +66,8 @@ struct MirrorPlan {
     Rgb<float> reflectance;  // F K_r
     LobeData lobe;
     LatticeChunk lattice;  // the lobe's first points; all of them if `samples` are at most kChunk
+    std::uint32_t flush;            // bit k: a face of solid k lies in the mirror's plane
+    float flush_face[kMaxSolids];   // which one
     std::uint8_t curved;
     std::uint8_t reflects;
 };

@@ -1,4 +1,5 @@
 #include "core/render/cull.hpp"
+#include "core/render/derive_planes.hpp"
 #include "core/render/lattice_chunk.hpp"
 #include "core/render/meet.hpp"
 #include "core/render/render.hpp"
@@ -232,6 +233,7 @@ Status prepare(const Scene& scene, const Settings& settings, Plan& plan) {
     if (plan.mirror_count > 0) derive_tile_corners(plan);
     derive_bounds(scene, eye, plan);
     derive_blockers(scene, around, plan);
+    derive_planes(scene, plan);
     derive_features(scene, plan);
     if ((plan.features & kFeatureBranch) && plan.depth_limit > kMaxBranchDepth) {
         return Status{"depth_limit", "must be at most 16 in a scene with a surface that both reflects and transmits",

@@ -24,6 +24,7 @@ ZERKALO_INLINE Rgb<R> local_light(const Plan& plan, const Spot<R>& spot, const S
                                   const Blockers& blockers, TileCounts& counts) {
     Rgb<R> sum = spread<R>(surface.ambient);
     for (std::int32_t j = 0; j < plan.light_count; ++j) {
+        if (surface.unlit_by >> j & 1) continue;
         const LightPlan& light = plan.lights[j];
         const ToLight<R> to = towards(light.data, spot.p, spot.n);
         const auto lit = spot.active & (to.n_dot_l > R(0));

@@ -62,6 +62,7 @@ ZERKALO_ONCE Rgb<R> local_light_anywhere(const Plan& plan, Vec3<R> p, Vec3<R> n,
                                          CandidateMask own, TileCounts& counts) {
     Rgb<R> sum = spread<R>(surface.ambient);
     for (std::int32_t j = 0; j < plan.light_count; ++j) {
+        if (surface.unlit_by >> j & 1) continue;
         const LightPlan& light = plan.lights[j];
         const ToLight<R> to = towards(light.data, p, n);
         const auto lit = active & (to.n_dot_l > R(0));

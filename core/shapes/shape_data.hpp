@@ -37,6 +37,10 @@ struct HalfSpacesData {
     FaceNormals normals;
 };
 
+/// The faces of a tube; both caps are one, as the two planes of a slab are.
+constexpr float kLateralFace = 0;
+constexpr float kCapFace = 1;
+
 /// Radius at the centre's height + slope * y, for |y| <= half_height, y measured from `centre` along `axis_y`.
 struct TubeData {
     Vec3<float> centre;

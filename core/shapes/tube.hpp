@@ -15,9 +15,6 @@
 
 namespace zerkalo::inline ZERKALO_ISA {
 
-constexpr float kLateralFace = 0;
-constexpr float kCapFace = 1;
-
 /// A vector in the tube's own axes.
 template <class A>
 ZERKALO_INLINE Vec3<A> in_tube_axes(const TubeData& tube, Vec3<A> v) {

@@ -1,0 +1,27 @@
+// See stiff_case.hpp.
+#include "tools/stability/stiff_case.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace zerkalo::stability {
+
+std::vector<StiffCase> all_cases() {
+    std::vector<StiffCase> cases;
+    for (const auto rows : {
+             bounce_rows(),
+             contact_rows(),
+             far_camera_rows(),
+             lamp_rows(),
+             lobe_rows(),
+             polish_rows(),
+             solid_size_rows(),
+             sun_rows(),
+             taper_rows(),
+         }) cases.insert(cases.end(), rows.begin(), rows.end());
+    std::sort(cases.begin(), cases.end(),
+              [](const StiffCase& a, const StiffCase& b) { return std::strcmp(a.id, b.id) < 0; });
+    return cases;
+}
+
+}  // namespace zerkalo::stability

@@ -1,0 +1,141 @@
+// See stage.hpp.
+#include "tools/stability/stage.hpp"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace zerkalo::stability {
+
+Rgb<float> Picture::at(int x, int y) const {
+    const float* pixel = rgb.data() + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                           static_cast<std::size_t>(x));
+    return {pixel[0], pixel[1], pixel[2]};
+}
+
+bool Picture::finite() const {
+    for (const float value : rgb) {
+        if (!std::isfinite(value)) return false;
+    }
+    return true;
+}
+
+Picture Stage::render(const Scene& scene, int width, int height, Settings settings) const {
+    settings.width = width;
+    settings.height = height;
+    const auto plan = std::make_unique<Plan>();
+    const Status status = prepare(scene, settings, *plan);
+    if (!status.ok()) throw Refused(std::string(name_of(status.part)) + ": " + status.field + ": " + status.reason);
+    Picture picture{width, height, {}};
+    picture.rgb.resize(std::size_t{3} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    const LinearImage image{picture.rgb.data(), width, height, std::ptrdiff_t{12} * width};
+    RayCounts rays;
+    const TileFunction render_tile = kernel_for(*plan, isa_);
+    for (int i = 0; i < tile_count(*plan); ++i) render_tile(*plan, tile_at(*plan, i), image, rays);
+    return picture;
+}
+
+Rgb<float> Stage::look(Scene scene, const Vec3<double>& origin, const Vec3<double>& view, const Settings& settings) const {
+    constexpr double kAnyAngle = 0.1;  // the centre of the only pixel lies on the axis
+    scene.camera = camera_at(origin, view, kAnyAngle);
+    return render(scene, 1, 1, settings).at(0, 0);
+}
+
+std::vector<Isa> stages() {
+    std::vector<Isa> isas;
+    for (int i = 0; i < kIsaCount; ++i) {
+        if (available(static_cast<Isa>(i))) isas.push_back(static_cast<Isa>(i));
+    }
+    return isas;
+}
+
+std::string refused_field(const Scene& scene, const Settings& settings) {
+    const auto plan = std::make_unique<Plan>();
+    const Status status = prepare(scene, settings, *plan);
+    return status.ok() ? "" : status.field;
+}
+
+int pixels_apart(const Picture& a, const Picture& b, double tolerance) {
+    if (a.rgb.size() != b.rgb.size()) return a.width * a.height;
+    int apart = 0;
+    for (std::size_t i = 0; i < a.rgb.size(); i += 3) {
+        bool near = true;
+        for (std::size_t c = i; c < i + 3; ++c) {
+            near = near && std::abs(double{a.rgb[c]} - double{b.rgb[c]}) <= tolerance;
+        }
+        apart += !near;
+    }
+    return apart;
+}
+
+double largest_difference(const Picture& a, const Picture& b) {
+    if (a.rgb.size() != b.rgb.size()) return std::numeric_limits<double>::infinity();
+    double largest = 0;
+    for (std::size_t i = 0; i < a.rgb.size(); ++i) {
+        const double difference = std::abs(double{a.rgb[i]} - double{b.rgb[i]});
+        if (!(difference <= largest)) largest = std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
+    }
+    return largest;
+}
+
+Material glowing(const Rgb<double>& color) {
+    Material material;
+    material.color = color;
+    material.ambient = 1;
+    material.diffuse = material.specular = 0;
+    return material;
+}
+
+Material chalk() {
+    Material material;
+    material.color = {1, 1, 1};
+    material.diffuse = 1;
+    material.ambient = material.specular = 0;
+    return material;
+}
+
+Solid ball(const Vec3<double>& centre, double radius, const Material& material) {
+    Solid solid;
+    solid.position = centre;
+    solid.radius = radius;
+    solid.material = material;
+    return solid;
+}
+
+Solid upright(SolidKind kind, const Vec3<double>& base, double radius, double height, const Material& material) {
+    Solid solid = ball(base, radius, material);
+    solid.kind = kind;
+    solid.height = height;
+    solid.taper = kind == SolidKind::cone ? 0 : 1;
+    return solid;
+}
+
+Light lamp(const Vec3<double>& position) {
+    Light light;
+    light.position = position;
+    return light;
+}
+
+Mirror ideal_mirror(const Vec3<double>& position, const Vec3<double>& normal, double side) {
+    Mirror mirror;
+    mirror.position = position;
+    mirror.normal = normal;
+    mirror.boundary.width = mirror.boundary.height = side;
+    mirror.ambient = mirror.diffuse = mirror.specular = 0;
+    mirror.reflection = 1;
+    return mirror;
+}
+
+Camera camera_at(const Vec3<double>& position, const Vec3<double>& view, double fov) {
+    Camera camera;
+    camera.position = position;
+    camera.view = view;
+    camera.fov = fov;
+    return camera;
+}
+
+void add(Scene& scene, const Solid& solid) { scene.solids[scene.solid_count++] = solid; }
+void add(Scene& scene, const Light& light) { scene.lights[scene.light_count++] = light; }
+void add(Scene& scene, const Mirror& mirror) { scene.mirrors[scene.mirror_count++] = mirror; }
+
+}  // namespace zerkalo::stability

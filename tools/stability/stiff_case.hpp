@@ -1,0 +1,42 @@
+// A stiff or extreme case: an input at which the textbook formula fails, the law that must hold there all the same, and
+// the error against that law, of the renderer and of a naive twin.
+#pragma once
+
+#include "tools/stability/stage.hpp"
+
+#include <span>
+#include <vector>
+
+namespace zerkalo::stability {
+
+struct StiffCase {
+    const char* id;       // "S01"
+    const char* input;    // the scene, in a few words
+    const char* failure;  // what the textbook formula does with it
+    const char* law;      // what must hold; the error is the distance from it
+    const char* unit;     // of the three numbers: "wrong pixels", "relative", "steps of 255", ...
+    double bound;         // the largest error that keeps the law
+    /// The renderer's error. Calls for the same bits at every instruction set.
+    double (*ours)(const Stage& stage);
+    /// The error of the naive twin: the formula that a textbook gives, in float. Beyond the bound, or not a number.
+    double (*naive)();
+};
+
+/// The error is within the bound; not so for NaN.
+inline bool holds(const StiffCase& row, double error) { return error <= row.bound; }
+
+/// All cases by number.
+std::vector<StiffCase> all_cases();
+
+/// The cases of one file each, in the order of their numbers.
+std::span<const StiffCase> bounce_rows();
+std::span<const StiffCase> contact_rows();
+std::span<const StiffCase> far_camera_rows();
+std::span<const StiffCase> lamp_rows();
+std::span<const StiffCase> lobe_rows();
+std::span<const StiffCase> polish_rows();
+std::span<const StiffCase> solid_size_rows();
+std::span<const StiffCase> sun_rows();
+std::span<const StiffCase> taper_rows();
+
+}  // namespace zerkalo::stability
