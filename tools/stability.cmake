@@ -2,6 +2,7 @@
 add_library(zerkalo_stability STATIC
   stability/all_cases.cpp
   stability/far_camera_rows.cpp
+  stability/glass_rows.cpp
   stability/stage.cpp)
 target_include_directories(zerkalo_stability PUBLIC ${PROJECT_SOURCE_DIR})
 target_link_libraries(zerkalo_stability PUBLIC zerkalo::core PRIVATE zerkalo_options)

@@ -30,5 +30,6 @@ std::vector<StiffCase> all_cases();
 
 /// The cases of one file each, in the order of their numbers.
 std::span<const StiffCase> far_camera_rows();
+std::span<const StiffCase> glass_rows();
 
 }  // namespace zerkalo::stability
