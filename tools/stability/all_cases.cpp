@@ -8,7 +8,13 @@ namespace zerkalo::stability {
 
 std::vector<StiffCase> all_cases() {
     std::vector<StiffCase> cases;
-    for (const auto rows : {far_camera_rows(), glass_rows()}) cases.insert(cases.end(), rows.begin(), rows.end());
+    const std::span<const StiffCase> groups[] = {
+        bad_number_rows(),
+        far_camera_rows(),
+        glass_rows(),
+        refusal_rows(),
+    };
+    for (const auto& rows : groups) cases.insert(cases.end(), rows.begin(), rows.end());
     std::sort(cases.begin(), cases.end(),
               [](const StiffCase& a, const StiffCase& b) { return std::strcmp(a.id, b.id) < 0; });
     return cases;

@@ -161,8 +161,10 @@ double s50_naive() {
 constexpr StiffCase kRows[] = {
     {"S49", "a clear ball of index 1 before three glowing balls", "its walls are met again and again: black specks",
      "the picture without it, to the last bit", "pixels apart", 0, s49_ours, s49_naive},
-    {"S50", "balls of index 1 + 2^-23 and of index 1000", "1 - eta^2 (1 - cos^2) cancels: rays leave anywhere, or never",
-     "rays leave at the angle of Snell's law but for 16 roundings inside, times the index", "index 2^-24", 16, s50_ours, s50_naive},
+    {"S50", "balls of index 1 + 2^-23 and of index 1000",
+     "1 - eta^2 (1 - cos^2) cancels: rays leave anywhere, or never",
+     "rays leave at the angle of Snell's law but for 16 roundings inside, times the index", "index 2^-24", 16,
+     s50_ours, s50_naive},
 };
 
 }  // namespace

@@ -29,7 +29,9 @@ inline bool holds(const StiffCase& row, double error) { return error <= row.boun
 std::vector<StiffCase> all_cases();
 
 /// The cases of one file each, in the order of their numbers.
+std::span<const StiffCase> bad_number_rows();
 std::span<const StiffCase> far_camera_rows();
 std::span<const StiffCase> glass_rows();
+std::span<const StiffCase> refusal_rows();
 
 }  // namespace zerkalo::stability
