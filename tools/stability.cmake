@@ -4,6 +4,7 @@ add_library(zerkalo_stability STATIC
   stability/bad_number_rows.cpp
   stability/far_camera_rows.cpp
   stability/glass_rows.cpp
+  stability/light_rows.cpp
   stability/refusal_rows.cpp
   stability/stage.cpp)
 target_include_directories(zerkalo_stability PUBLIC ${PROJECT_SOURCE_DIR})

@@ -12,6 +12,7 @@ std::vector<StiffCase> all_cases() {
         bad_number_rows(),
         far_camera_rows(),
         glass_rows(),
+        light_rows(),
         refusal_rows(),
     };
     for (const auto& rows : groups) cases.insert(cases.end(), rows.begin(), rows.end());

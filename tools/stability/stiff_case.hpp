@@ -32,6 +32,7 @@ std::vector<StiffCase> all_cases();
 std::span<const StiffCase> bad_number_rows();
 std::span<const StiffCase> far_camera_rows();
 std::span<const StiffCase> glass_rows();
+std::span<const StiffCase> light_rows();
 std::span<const StiffCase> refusal_rows();
 
 }  // namespace zerkalo::stability
