@@ -5,6 +5,7 @@ add_library(zerkalo_stability STATIC
   stability/far_camera_rows.cpp
   stability/glass_rows.cpp
   stability/light_rows.cpp
+  stability/picture_rows.cpp
   stability/refusal_rows.cpp
   stability/stage.cpp)
 target_include_directories(zerkalo_stability PUBLIC ${PROJECT_SOURCE_DIR})

@@ -13,6 +13,7 @@ std::vector<StiffCase> all_cases() {
         far_camera_rows(),
         glass_rows(),
         light_rows(),
+        picture_rows(),
         refusal_rows(),
     };
     for (const auto& rows : groups) cases.insert(cases.end(), rows.begin(), rows.end());

@@ -205,14 +205,14 @@ double s67_naive() {
 
 constexpr StiffCase kRows[] = {
     {"S52", "a lamp of intensity 0, 2^-100, 1e-30, 1e30, 2^100, -1",
-     "clips each lamp's share to 1: all strong ones are alike", "0: ambient light alone; the rest in proportion; -1 refused",
-     "wrong values", 0, s52_ours, s52_naive},
+     "clips each lamp's share to 1: all strong ones are alike",
+     "0: ambient light alone; the rest in proportion; -1 refused", "wrong values", 0, s52_ours, s52_naive},
     {"S66", "mirrors, lobes and glass without loss where nothing, or all, glows",
      "cos^n without its norm returns twice the light", "0 exactly; at most 1 and two roundings", "2^-24 above 1", 2,
      s66_ours, s66_naive},
     {"S67", "a mirror below a ball under a lamp", "the lamp's image in the mirror lights the ball: a caustic",
-     "Whitted's model has no caustics: the picture without the mirror, to the last bit", "pixels apart", 0, s67_ours,
-     s67_naive},
+     "Whitted's model has no caustics: the picture without the mirror, to the last bit", "pixels apart", 0,
+     s67_ours, s67_naive},
 };
 
 }  // namespace
