@@ -1,12 +1,14 @@
 # The stiff and extreme cases with their naive twins: shown by zerkalo stability, asserted by tests/stiff.
+find_package(Threads REQUIRED)
 add_library(zerkalo_stability STATIC
   stability/all_cases.cpp
   stability/bad_number_rows.cpp
   stability/far_camera_rows.cpp
   stability/glass_rows.cpp
   stability/light_rows.cpp
+  stability/machine_rows.cpp
   stability/picture_rows.cpp
   stability/refusal_rows.cpp
   stability/stage.cpp)
 target_include_directories(zerkalo_stability PUBLIC ${PROJECT_SOURCE_DIR})
-target_link_libraries(zerkalo_stability PUBLIC zerkalo::core PRIVATE zerkalo_options)
+target_link_libraries(zerkalo_stability PUBLIC zerkalo::core PRIVATE zerkalo_options Threads::Threads)

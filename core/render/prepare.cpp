@@ -1,3 +1,4 @@
+#include "core/numeric/float_mode.hpp"
 #include "core/render/cull.hpp"
 #include "core/render/lattice_chunk.hpp"
 #include "core/render/meet.hpp"
@@ -211,6 +212,7 @@ void derive_features(const Scene& scene, Plan& plan) {
 }  // namespace
 
 Status prepare(const Scene& scene, const Settings& settings, Plan& plan) {
+    const IeeeMode ieee;
     if (const Status status = validate(scene); !status.ok()) return status;
     const ImageSize size{settings.width > 0 ? settings.width : scene.image.width,
                          settings.height > 0 ? settings.height : scene.image.height};

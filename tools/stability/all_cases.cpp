@@ -13,6 +13,7 @@ std::vector<StiffCase> all_cases() {
         far_camera_rows(),
         glass_rows(),
         light_rows(),
+        machine_rows(),
         picture_rows(),
         refusal_rows(),
     };

@@ -33,6 +33,7 @@ std::span<const StiffCase> bad_number_rows();
 std::span<const StiffCase> far_camera_rows();
 std::span<const StiffCase> glass_rows();
 std::span<const StiffCase> light_rows();
+std::span<const StiffCase> machine_rows();
 std::span<const StiffCase> picture_rows();
 std::span<const StiffCase> refusal_rows();
 
