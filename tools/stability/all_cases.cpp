@@ -11,6 +11,7 @@ std::vector<StiffCase> all_cases() {
     const std::span<const StiffCase> groups[] = {
         bad_number_rows(),
         far_camera_rows(),
+        format_rows(),
         glass_rows(),
         light_rows(),
         machine_rows(),
