@@ -4,6 +4,7 @@ find_package(xsimd 8 REQUIRED)
 add_library(zerkalo_stability STATIC
   stability/all_cases.cpp
   stability/bad_number_rows.cpp
+  stability/edge_rows.cpp
   stability/far_camera_rows.cpp
   stability/format_rows.cpp
   stability/glass_rows.cpp

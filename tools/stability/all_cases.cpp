@@ -10,6 +10,7 @@ std::vector<StiffCase> all_cases() {
     std::vector<StiffCase> cases;
     const std::span<const StiffCase> groups[] = {
         bad_number_rows(),
+        edge_rows(),
         far_camera_rows(),
         format_rows(),
         glass_rows(),

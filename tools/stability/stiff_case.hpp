@@ -30,6 +30,7 @@ std::vector<StiffCase> all_cases();
 
 /// The cases of one file each, in the order of their numbers.
 std::span<const StiffCase> bad_number_rows();
+std::span<const StiffCase> edge_rows();
 std::span<const StiffCase> far_camera_rows();
 std::span<const StiffCase> format_rows();
 std::span<const StiffCase> glass_rows();
