@@ -12,6 +12,7 @@ add_library(zerkalo_stability STATIC
   stability/machine_rows.cpp
   stability/picture_rows.cpp
   stability/refusal_rows.cpp
+  stability/scaling_rows.cpp
   stability/stage.cpp)
 target_include_directories(zerkalo_stability PUBLIC ${PROJECT_SOURCE_DIR})
 target_link_libraries(zerkalo_stability PUBLIC zerkalo::core PRIVATE zerkalo_options Threads::Threads)

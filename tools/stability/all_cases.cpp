@@ -18,6 +18,7 @@ std::vector<StiffCase> all_cases() {
         machine_rows(),
         picture_rows(),
         refusal_rows(),
+        scaling_rows(),
     };
     for (const auto& rows : groups) cases.insert(cases.end(), rows.begin(), rows.end());
     std::sort(cases.begin(), cases.end(),

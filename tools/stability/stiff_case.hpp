@@ -38,5 +38,6 @@ std::span<const StiffCase> light_rows();
 std::span<const StiffCase> machine_rows();
 std::span<const StiffCase> picture_rows();
 std::span<const StiffCase> refusal_rows();
+std::span<const StiffCase> scaling_rows();
 
 }  // namespace zerkalo::stability
