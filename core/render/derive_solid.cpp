@@ -60,10 +60,10 @@ void write_pyramid(const Solid& solid, const Placement& at, SlabWriter& out) {
     out.add(at.axis_y, -solid.height / 2, kUnbounded);
 }
 
-TubeData tube_of(const Solid& solid, const Placement& at) {
+TubeData tube_of(const Solid& solid, const Placement& at, const Point& origin) {
     const double slope = (top_radius(solid) - solid.radius) / solid.height;
     TubeData tube{};
-    tube.centre = rounded(at.middle);
+    tube.centre = rounded(at.middle - origin);
     // Around its own axis a tube looks the same from all sides: an upright one needs no rotation.
     tube.upright = at.axis_y.x == 0 && at.axis_y.z == 0 && at.axis_y.y == 1;
     tube.axis_x = rounded(at.axis_x), tube.axis_y = rounded(at.axis_y), tube.axis_z = rounded(at.axis_z);
@@ -75,11 +75,12 @@ TubeData tube_of(const Solid& solid, const Placement& at) {
     return tube;
 }
 
-MeshData write_mesh(const Scene& scene, const Solid& solid, std::int32_t first, TriangleData* out) {
+MeshData write_mesh(const Scene& scene, const Solid& solid, std::int32_t first, Plan& plan) {
     for (std::int32_t k = 0; k < solid.triangle_count; ++k) {
         const Triangle& t = scene.triangles[solid.first_triangle + k];
         const Point a = mesh_corner(solid, t.a), b = mesh_corner(solid, t.b), c = mesh_corner(solid, t.c);
-        out[first + k] = {rounded(a), rounded(b - a), rounded(c - a), rounded(unit(cross(b - a, c - a)))};
+        plan.triangles[first + k] = {rounded(a - plan.origin), rounded(b - a), rounded(c - a),
+                                     rounded(unit(cross(b - a, c - a)))};
     }
     return {first, solid.triangle_count};
 }
@@ -156,20 +157,21 @@ void derive_solid(const Scene& scene, std::int32_t k, std::int32_t& slabs, std::
     out.id = float(k);
     if (solid.kind == SolidKind::sphere) {
         out.shape = ShapeKind::sphere;
-        out.sphere = {rounded(solid.position), float(solid.radius * solid.radius), float(1 / solid.radius)};
+        const Vec3<float> centre = rounded(solid.position - plan.origin);
+        out.sphere = {centre, float(solid.radius * solid.radius), float(1 / solid.radius)};
     } else if (is_tube(solid)) {
         out.shape = ShapeKind::tube;
-        out.tube = tube_of(solid, at);
+        out.tube = tube_of(solid, at, plan.origin);
     } else if (solid.kind == SolidKind::mesh) {
         out.shape = ShapeKind::mesh;
-        out.mesh = write_mesh(scene, solid, triangles, plan.triangles);
+        out.mesh = write_mesh(scene, solid, triangles, plan);
         triangles += solid.triangle_count;
     } else {
         out.shape = ShapeKind::half_spaces;
         SlabWriter writer{plan.slabs + slabs};
         if (solid.kind == SolidKind::prism) write_prism(solid, at, writer);
         if (solid.kind == SolidKind::pyramid) write_pyramid(solid, at, writer);
-        out.half_spaces = {rounded(at.middle), slabs, writer.count, {}};
+        out.half_spaces = {rounded(at.middle - plan.origin), slabs, writer.count, {}};
         for (std::int32_t s = 0; s < writer.count && s < kListedFaces; ++s) {
             const Vec3<float>& n = plan.slabs[slabs + s].n;
             FaceNormals& normals = out.half_spaces.normals;
@@ -183,7 +185,8 @@ void derive_solid(const Scene& scene, std::int32_t k, std::int32_t& slabs, std::
                      float(m.refractive_index)};
 }
 
-double clearance(const Plan& plan, const SolidPlan& solid, const Vec3<double>& p) {
+double clearance(const Plan& plan, const SolidPlan& solid, const Vec3<double>& world) {
+    const Point p = world - plan.origin;
     if (solid.shape == ShapeKind::sphere) {
         return length(p - solid.sphere.centre) - square_root(double(solid.sphere.radius2));
     }
