@@ -146,8 +146,8 @@ void derive_bounds(const Scene& scene, const Viewpoint& eye, Plan& plan) {
     }
 }
 
-SharedBound shared_bound(const Point& light, const SolidPlan& solid) {
-    const Point c = Point{solid.bound_centre.x, solid.bound_centre.y, solid.bound_centre.z} - light;
+SharedBound shared_bound(const Point& light, const SolidPlan& solid, const Point& origin) {
+    const Point c = Point{solid.bound_centre.x, solid.bound_centre.y, solid.bound_centre.z} - (light - origin);
     const double radius = solid.bound_radius;
     // Room for the rounding of a unit direction and of the products, a few 2^-24 each.
     constexpr double kRoom = 0x1p-20;
@@ -161,7 +161,7 @@ void derive_blockers(const Scene& scene, const Surroundings& around, Plan& plan)
     for (std::int32_t j = 0; j < scene.light_count; ++j) {
         const Point& light = scene.lights[j].position;
         for (std::int32_t k = 0; k < scene.solid_count; ++k) {
-            plan.lights[j].bounds[k] = shared_bound(light, plan.solids[k]);
+            plan.lights[j].bounds[k] = shared_bound(light, plan.solids[k], plan.origin);
         }
         for (std::int32_t k = 0; k < scene.solid_count; ++k) {
             std::uint64_t& mask = plan.solids[k].blockers.of_light[j];

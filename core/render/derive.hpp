@@ -41,8 +41,8 @@ void hull_of(const Scene& scene, const Solid& solid, Hull& hull);
 /// Fills plan.solids[k] and the solid's share of the pools; `slabs`, `triangles`: pool entries in use, advanced.
 void derive_solid(const Scene& scene, std::int32_t k, std::int32_t& slabs, std::int32_t& triangles, Plan& plan);
 
-/// A lower bound of the distance from p to the solid's surface from outside; negative inside. Not for meshes.
-double clearance(const Plan& plan, const SolidPlan& solid, const Vec3<double>& p);
+/// A lower bound of the distance from a place in the world to the solid's surface from outside; negative inside. Not for meshes.
+double clearance(const Plan& plan, const SolidPlan& solid, const Vec3<double>& world);
 
 /// Right, v, n of a mirror.
 struct MirrorFrame {
@@ -51,9 +51,10 @@ struct MirrorFrame {
 MirrorFrame frame_of(const Mirror& mirror);
 Ball ball_of(const Mirror& mirror);
 void hull_of(const Mirror& mirror, Hull& hull);
-void derive_mirror(const Mirror& mirror, const Rgb<double>& ambient, const Settings& settings, MirrorPlan& out);
+void derive_mirror(const Mirror& mirror, const Rgb<double>& ambient, const Settings& settings,
+                   const Vec3<double>& origin, MirrorPlan& out);
 
-LightData derive_light(const Light& light);
+LightData derive_light(const Light& light, const Vec3<double>& origin);
 SurfaceData derive_surface(const Material& material, const Rgb<double>& ambient);
 
 }  // namespace zerkalo

@@ -83,9 +83,9 @@ SurfaceData derive_surface(const Material& m, const Rgb<double>& ambient) {
             rounded_colour(white), float(m.shininess < kLargestFloat ? m.shininess : kLargestFloat)};
 }
 
-LightData derive_light(const Light& light) {
+LightData derive_light(const Light& light, const Point& origin) {
     LightData out{};
-    out.position = rounded(light.position);
+    out.position = rounded(light.position - origin);
     out.power = rounded_colour(scaled(light.color, light.intensity));
     out.inverse_square = light.falloff == Falloff::inverse_square;
     const double brightest = larger(out.power.r, larger(out.power.g, out.power.b));
@@ -126,10 +126,11 @@ void hull_of(const Mirror& mirror, Hull& hull) {
     add(-x, -y), add(x, -y), add(-x, y), add(x, y);
 }
 
-void derive_mirror(const Mirror& mirror, const Rgb<double>& ambient, const Settings& settings, MirrorPlan& out) {
+void derive_mirror(const Mirror& mirror, const Rgb<double>& ambient, const Settings& settings, const Point& origin,
+                   MirrorPlan& out) {
     out = MirrorPlan{};
     const MirrorFrame frame = frame_of(mirror);
-    out.shape.vertex = rounded(mirror.position);
+    out.shape.vertex = rounded(mirror.position - origin);
     out.shape.right = rounded(frame.right), out.shape.v = rounded(frame.v), out.shape.n = rounded(frame.n);
     out.shape.kappa = float(1 / mirror.curvature_radius);
     out.shape.boundary = boundary_of(mirror.boundary);

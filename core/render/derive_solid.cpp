@@ -87,7 +87,7 @@ void write_pyramid(const Solid& solid, const Placement& at, FaceWriter& out) {
 void write_half_spaces(const Solid& solid, const Placement& at, std::int32_t first, Plan& plan, HalfSpacesData& out) {
     FacePair faces[kMaxSides + 1];
     const std::int32_t count = faces_of(solid, faces);
-    out = {rounded(at.middle), first, count, {}};
+    out = {rounded(at.middle - plan.origin), first, count, {}};
     for (std::int32_t s = 0; s < count; ++s) {
         const Vec3<float> n = rounded(faces[s].n);
         plan.slabs[first + s] = {n, float(faces[s].lo), float(faces[s].hi), faces[s].index};
@@ -95,10 +95,10 @@ void write_half_spaces(const Solid& solid, const Placement& at, std::int32_t fir
     }
 }
 
-TubeData tube_of(const Solid& solid, const Placement& at) {
+TubeData tube_of(const Solid& solid, const Placement& at, const Point& origin) {
     const double slope = (top_radius(solid) - solid.radius) / solid.height;
     TubeData tube{};
-    tube.centre = rounded(at.middle);
+    tube.centre = rounded(at.middle - origin);
     // Around its own axis a tube looks the same from all sides: an upright one needs no rotation.
     tube.upright = at.axis_y.x == 0 && at.axis_y.z == 0 && at.axis_y.y == 1;
     tube.axis_x = rounded(at.axis_x), tube.axis_y = rounded(at.axis_y), tube.axis_z = rounded(at.axis_z);
@@ -110,11 +110,12 @@ TubeData tube_of(const Solid& solid, const Placement& at) {
     return tube;
 }
 
-MeshData write_mesh(const Scene& scene, const Solid& solid, std::int32_t first, TriangleData* out) {
+MeshData write_mesh(const Scene& scene, const Solid& solid, std::int32_t first, Plan& plan) {
     for (std::int32_t k = 0; k < solid.triangle_count; ++k) {
         const Triangle& t = scene.triangles[solid.first_triangle + k];
         const Point a = mesh_corner(solid, t.a), b = mesh_corner(solid, t.b), c = mesh_corner(solid, t.c);
-        out[first + k] = {rounded(a), rounded(b - a), rounded(c - a), rounded(unit(cross(b - a, c - a)))};
+        plan.triangles[first + k] = {rounded(a - plan.origin), rounded(b - a), rounded(c - a),
+                                     rounded(unit(cross(b - a, c - a)))};
     }
     return {first, solid.triangle_count};
 }
@@ -206,13 +207,14 @@ void derive_solid(const Scene& scene, std::int32_t k, std::int32_t& slabs, std::
     out.id = float(k);
     if (solid.kind == SolidKind::sphere) {
         out.shape = ShapeKind::sphere;
-        out.sphere = {rounded(solid.position), float(solid.radius * solid.radius), float(1 / solid.radius)};
+        const Vec3<float> centre = rounded(solid.position - plan.origin);
+        out.sphere = {centre, float(solid.radius * solid.radius), float(1 / solid.radius)};
     } else if (is_tube(solid)) {
         out.shape = ShapeKind::tube;
-        out.tube = tube_of(solid, at);
+        out.tube = tube_of(solid, at, plan.origin);
     } else if (solid.kind == SolidKind::mesh) {
         out.shape = ShapeKind::mesh;
-        out.mesh = write_mesh(scene, solid, triangles, plan.triangles);
+        out.mesh = write_mesh(scene, solid, triangles, plan);
         triangles += solid.triangle_count;
     } else {
         out.shape = ShapeKind::half_spaces;
@@ -225,7 +227,8 @@ void derive_solid(const Scene& scene, std::int32_t k, std::int32_t& slabs, std::
                      float(m.refractive_index), m.fresnel};
 }
 
-double clearance(const Plan& plan, const SolidPlan& solid, const Vec3<double>& p) {
+double clearance(const Plan& plan, const SolidPlan& solid, const Vec3<double>& world) {
+    const Point p = world - plan.origin;
     if (solid.shape == ShapeKind::sphere) {
         return length(p - solid.sphere.centre) - square_root(double(solid.sphere.radius2));
     }

@@ -141,6 +141,7 @@ struct BoundTable {
 };
 
 struct Plan {
+    Vec3<double> origin;  // of all places below: 0, but for a scene that lies far from there
     std::int32_t width, height;
     std::int32_t samples, antialias, depth_limit;
     std::uint32_t features;

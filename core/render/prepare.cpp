@@ -1,3 +1,4 @@
+#include "core/numeric/float_mode.hpp"
 #include "core/render/cull.hpp"
 #include "core/render/derive_planes.hpp"
 #include "core/render/lattice_chunk.hpp"
@@ -84,6 +85,24 @@ bool is_far(const Point& p, const Surroundings& around) {
     return around.all.radius > 0 && length(p - around.all.centre) > kFarRadii * around.all.radius;
 }
 
+/// The nearest whole number; halves go to the even one, so that it changes sign with x.
+double nearest_whole(double x) {
+    constexpr double kShift = 0x1.8p52;
+    return magnitude(x) < 0x1p51 ? (x + kShift) - kShift : x;
+}
+
+/// A scene far from the world's origin, by its own size, would waste the digits of floats that count from there. They
+/// count from a point near the scene instead: a multiple of a power of two that grows with the scene, so that places on
+/// a grid stay on it, and a scene that is shifted by such multiples gives the same bits.
+Point origin_for(const Ball& all) {
+    if (!(all.radius > 0)) return {0, 0, 0};
+    double step = 1;
+    while (step < kFarRadii * all.radius) step *= 2;
+    while (step / 2 >= kFarRadii * all.radius) step /= 2;
+    const auto near = [step](double x) { return nearest_whole(x / step) * step; };
+    return {near(all.centre.x), near(all.centre.y), near(all.centre.z)};
+}
+
 bool near_or_inside(const Plan& plan, const Scene& scene, const Point& p) {
     for (std::int32_t k = 0; k < scene.solid_count; ++k) {
         const SolidPlan& solid = plan.solids[k];
@@ -105,7 +124,7 @@ void derive_camera(const Viewpoint& eye, const Surroundings& around, Plan& plan)
     }
     CameraPlan& camera = plan.camera;
     camera.view = rounded(eye.view), camera.step_x = rounded(step_x), camera.step_y = rounded(step_y);
-    camera.origin = rounded(eye.position + eye.view * pull);
+    camera.origin = rounded(eye.position + eye.view * pull - plan.origin);
     camera.origin_step_x = rounded(step_x * pull), camera.origin_step_y = rounded(step_y * pull);
     camera.pull = float(pull);
 }
@@ -154,20 +173,20 @@ void derive_objects(const Scene& scene, const Settings& settings, const Surround
     for (std::int32_t k = 0; k < scene.solid_count; ++k) {
         derive_solid(scene, k, slabs, triangles, plan);
         SolidPlan& solid = plan.solids[k];
-        solid.bound_centre = rounded(around.solids[k].centre);
+        solid.bound_centre = rounded(around.solids[k].centre - plan.origin);
         // Room for the rounding of coordinates as large as the scene.
-        const double size = around.all.radius + length(around.all.centre);
+        const double size = around.all.radius + length(around.all.centre - plan.origin);
         solid.bound_radius = float(around.solids[k].radius * (1 + 0x1p-16) + 0x1p-18 * size);
         plan.bounds.x[k] = solid.bound_centre.x, plan.bounds.y[k] = solid.bound_centre.y;
         plan.bounds.z[k] = solid.bound_centre.z, plan.bounds.radius[k] = solid.bound_radius;
     }
     for (std::int32_t m = 0; m < scene.mirror_count; ++m) {
         MirrorPlan& mirror = plan.mirrors[m];
-        derive_mirror(scene.mirrors[m], scene.ambient, settings, mirror);
+        derive_mirror(scene.mirrors[m], scene.ambient, settings, plan.origin, mirror);
         if (mirror.lobe.glossy) fill_chunk<float>(mirror.lattice, mirror.lobe, 0, settings.samples);
     }
     for (std::int32_t j = 0; j < scene.light_count; ++j) {
-        plan.lights[j].data = derive_light(scene.lights[j]);
+        plan.lights[j].data = derive_light(scene.lights[j], plan.origin);
         plan.lights[j].data.distant = is_far(scene.lights[j].position, around);
     }
 }
@@ -213,6 +232,7 @@ void derive_features(const Scene& scene, Plan& plan) {
 }  // namespace
 
 Status prepare(const Scene& scene, const Settings& settings, Plan& plan) {
+    const IeeeMode ieee;
     if (const Status status = validate(scene); !status.ok()) return status;
     const ImageSize size{settings.width > 0 ? settings.width : scene.image.width,
                          settings.height > 0 ? settings.height : scene.image.height};
@@ -227,6 +247,7 @@ Status prepare(const Scene& scene, const Settings& settings, Plan& plan) {
 
     Surroundings around;
     derive_surroundings(scene, around);
+    plan.origin = origin_for(around.all);
     derive_objects(scene, settings, around, plan);
     const Viewpoint eye = viewpoint_of(scene.camera, size);
     derive_camera(eye, around, plan);

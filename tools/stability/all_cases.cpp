@@ -8,17 +8,27 @@ namespace zerkalo::stability {
 
 std::vector<StiffCase> all_cases() {
     std::vector<StiffCase> cases;
-    for (const auto rows : {
-             bounce_rows(),
-             contact_rows(),
-             far_camera_rows(),
-             lamp_rows(),
-             lobe_rows(),
-             polish_rows(),
-             solid_size_rows(),
-             sun_rows(),
-             taper_rows(),
-         }) cases.insert(cases.end(), rows.begin(), rows.end());
+    const std::span<const StiffCase> groups[] = {
+        bad_number_rows(),
+        bounce_rows(),
+        contact_rows(),
+        edge_rows(),
+        far_camera_rows(),
+        format_rows(),
+        glass_rows(),
+        lamp_rows(),
+        light_rows(),
+        lobe_rows(),
+        machine_rows(),
+        picture_rows(),
+        polish_rows(),
+        refusal_rows(),
+        scaling_rows(),
+        solid_size_rows(),
+        sun_rows(),
+        taper_rows(),
+    };
+    for (const auto& rows : groups) cases.insert(cases.end(), rows.begin(), rows.end());
     std::sort(cases.begin(), cases.end(),
               [](const StiffCase& a, const StiffCase& b) { return std::strcmp(a.id, b.id) < 0; });
     return cases;

@@ -27,6 +27,8 @@ class Stage {
 public:
     explicit Stage(Isa isa) : isa_(isa) {}
 
+    Isa isa() const { return isa_; }
+
     /// The picture of a scene. Throws Refused when prepare() refuses, with its reason.
     Picture render(const Scene& scene, int width, int height, Settings settings = {}) const;
 

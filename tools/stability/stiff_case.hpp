@@ -29,12 +29,21 @@ inline bool holds(const StiffCase& row, double error) { return error <= row.boun
 std::vector<StiffCase> all_cases();
 
 /// The cases of one file each, in the order of their numbers.
+std::span<const StiffCase> bad_number_rows();
 std::span<const StiffCase> bounce_rows();
 std::span<const StiffCase> contact_rows();
+std::span<const StiffCase> edge_rows();
 std::span<const StiffCase> far_camera_rows();
+std::span<const StiffCase> format_rows();
+std::span<const StiffCase> glass_rows();
 std::span<const StiffCase> lamp_rows();
+std::span<const StiffCase> light_rows();
 std::span<const StiffCase> lobe_rows();
+std::span<const StiffCase> machine_rows();
+std::span<const StiffCase> picture_rows();
 std::span<const StiffCase> polish_rows();
+std::span<const StiffCase> refusal_rows();
+std::span<const StiffCase> scaling_rows();
 std::span<const StiffCase> solid_size_rows();
 std::span<const StiffCase> sun_rows();
 std::span<const StiffCase> taper_rows();
