@@ -44,13 +44,26 @@ Instance next_solid(Random& random, SolidKind kind) {
     return instance_of(solid);
 }
 
+/// The middle of a tube's top, from the centre, in sizes.
+Exact3 tip_of(const Solid& solid, const Instance& instance) {
+    const TubeData tube = plan_of(solid)->solids[0].tube;
+    const Exact3 tip = exact(tube.centre) + exact(tube.axis_y) * Real80(tube.half_height);
+    return (tip - instance.centre) * (1 / instance.size);
+}
+
+/// A quarter of the rays pass its top, where a cone has its tip, from an eighth down to 1/4096 of its size away.
 Instance next_tube(Random& random, double taper) {
     Solid solid = placed(SolidKind::cylinder, random);
     if (random.below(4) == 0) solid.rotation = {0, 0, 0};
     solid.radius = power_of_two(random, -3, 3);
     solid.height = solid.radius * power_of_two(random, -3, 3);
     solid.taper = taper;
-    return instance_of(solid);
+    Instance instance = instance_of(solid);
+    const Exact3 tip = tip_of(solid, instance);
+    instance.aim = [tip](Random& r) {
+        return r.below(4) == 0 ? tip + r.direction() * power_of_two(r, -12, -3) : ball_aim(r);
+    };
+    return instance;
 }
 
 Answers as_answers(const std::vector<float>& hit, const std::vector<float>& t) {

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kBatch = 4096;
 
 // Ulps of t, times the cosine of incidence: of a ray that starts where it is nearest to the centre, of any other ray.
-constexpr Real80 kRecentredUlps = 4, kUlps = 8;
+constexpr Real80 kRecentredUlps = 5, kUlps = 8;
 // Roundings of the way: no ray is misjudged that passes a surface by more, and none that meets it as deeply.
 constexpr Real80 kBand = 4;
 

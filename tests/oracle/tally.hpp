@@ -2,6 +2,7 @@
 //
 // Errors of t are in ulps of the reach, the larger of |t| and the primitive's size: a float t is no better than its own
 // spacing. Shifts of the surface are in roundings, 2^-24 of the way from the ray's origin to the primitive's far end.
+// Both are divided by what is lost near the tip of a cone (Crossing::loss).
 #pragma once
 
 #include "tests/core/support/rays.hpp"
@@ -42,7 +43,7 @@ struct Tally {
 
     /// An end that is not tangent. `reach`: the larger of |t| and the size.
     void see_end(const Crossing& wanted, Real80 got, Real80 reach, const RayList& ray_list, std::size_t k) {
-        const Real80 ulps = std::abs(got - wanted.t) / ulp_of(reach);
+        const Real80 ulps = std::abs(got - wanted.t) / ulp_of(reach) / wanted.loss;
         error.see(ulps * wanted.cosine, ray_list, k);
         if (wanted.cosine >= 0.5L) head_on.see(ulps, ray_list, k);
         if (wanted.cosine >= kSteep) steep.see(ulps, ray_list, k);
@@ -91,7 +92,7 @@ void judge_span(Tally& tally, const RayList& rays, const SpanList& got, std::siz
             tally.see_end(at, found, std::max(std::abs(t), size), rays, k);
             continue;
         }
-        tally.see_tangent(least_shift(rounding, [&](Real80 shift) {
+        tally.see_tangent(least_shift(rounding * at.loss, [&](Real80 shift) {
             const ExactSpan most = span(shift), least = span(-shift);
             if (most.empty() || found < most.entry || found > most.exit) return false;
             return least.empty() || (in ? found <= least.entry : found >= least.exit);
