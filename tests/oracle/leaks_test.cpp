@@ -61,7 +61,9 @@ void aim(RayList& rays, const Plan& plan, const Corners& corners, Random& random
         const Real80 distance = size_of(plan) * std::exp2(random.uniform(0.1, 6));
         const Vec3<float> o = rounded_to_float(centre_of(plan) + random.direction() * distance);
         const Vec3<double> to = point_to_aim_at(corners, random);
-        const double x = to.x - o.x, y = to.y - o.y, z = to.z - o.z, norm = std::sqrt(x * x + y * y + z * z);
+        const Vec3<double>& origin = plan.origin;
+        const double x = to.x - origin.x - o.x, y = to.y - origin.y - o.y, z = to.z - origin.z - o.z;
+        const double norm = std::sqrt(x * x + y * y + z * z);
         rays.add(exact(o), {x / norm, y / norm, z / norm});
     }
 }

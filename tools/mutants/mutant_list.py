@@ -73,3 +73,15 @@ def mutated_files(root, mutant):
         before = texts.get(replacement.path, path.read_text(encoding="utf-8"))
         texts[replacement.path] = mutated(before, replacement, mutant.name)
     return texts
+
+
+def check(root, mutants):
+    """Raises BadList, with a line or two for every mutant that does not apply."""
+    problems = []
+    for mutant in mutants:
+        try:
+            mutated_files(root, mutant)
+        except BadList as problem:
+            problems.append(str(problem))
+    if problems:
+        raise BadList("\n".join(problems))

@@ -159,8 +159,7 @@ def main():
     options = parser.parse_args()
     try:
         mutants = mutant_list.read(LISTS)
-        for mutant in mutants:
-            mutant_list.mutated_files(ROOT, mutant)
+        mutant_list.check(ROOT, mutants)
         if options.check:
             print(f"{len(mutants)} mutants apply")
             return 0
