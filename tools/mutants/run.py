@@ -26,6 +26,8 @@ LISTS = sorted(pathlib.Path(__file__).resolve().parent.glob("*.txt"), key=lambda
 
 # Test programs that ask nothing of the core's formulas, or compare pictures without saying what is wrong with them.
 OTHER_FOLDERS = {"platform", "reference", "scene_file", "command_line", "golden", "vm", "proofs", "consumer"}
+# Folders whose laws are asked first: those of pictures, for their names, then those that are quick.
+FIRST = ("laws", "core", "oracle", "stiff")
 # Tests that compare whole pictures with those of the reference tracer.
 COMPARISONS = "Oracle.*:*Reference*"
 # A test that takes this long where the unchanged project takes seconds hangs.
@@ -54,6 +56,11 @@ def copy_project(to):
         shutil.copymode(source, target)
 
 
+def rank(folder_and_program):
+    folder, program = folder_and_program
+    return (FIRST.index(folder) if folder in FIRST else len(FIRST)), program
+
+
 class Project:
     """A copy of the project, one lane wide and hardly optimised, with the laws that may see a wrong formula."""
 
@@ -67,7 +74,9 @@ class Project:
             raise Broken(configured.stdout)
         targets = self.call(["ninja", "-C", self.build, "-t", "targets", "all"]).stdout
         programs = re.findall(r"^(tests/(\w+)/\w+): CXX_EXECUTABLE_LINKER", targets, re.MULTILINE)
-        self.programs = sorted(program for program, folder in programs if folder not in OTHER_FOLDERS)
+        asked = [(folder, program) for program, folder in programs if folder not in OTHER_FOLDERS]
+        self.programs = [program for _, program in sorted(asked, key=rank)]
+        self.names = [program.rpartition("/")[2] for program in self.programs]
 
     @staticmethod
     def call(command, **options):
@@ -135,7 +144,7 @@ def table(results):
 
 def run_all(mutants, options):
     project = Project(pathlib.Path(options.work).resolve(), options.jobs)
-    print(f"{len(mutants)} mutants against {', '.join(project.programs)}", flush=True)
+    print(f"{len(mutants)} mutants against {', '.join(project.names)}", flush=True)
     unchanged = project.judge()
     if unchanged.by != "survived":
         raise Broken(f"the unchanged project: {unchanged.by}")
