@@ -7,7 +7,7 @@
 
 #if defined(__aarch64__)
 #include <arm_neon.h>
-#else
+#elif defined(__SSE2__)
 #include <immintrin.h>
 #endif
 
