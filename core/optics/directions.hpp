@@ -37,6 +37,14 @@ ZERKALO_INLINE Refraction<R> refract(Vec3<R> d, Vec3<R> n, R eta) {
     return {d * eta + n * along_n, total};
 }
 
+/// A direction that is unit but for rounding, put right: one Newton step turns an error e of the length into 1.5 e^2.
+/// From wall to wall of a ball that error would grow by 1 + 12 cos^4 of the angle with each bounce: a length that is
+/// wrong by e puts the next point 3 e cos^2 off the wall, its normal is as wrong, and the reflected length 4 cos^2 that.
+template <class R>
+ZERKALO_INLINE Vec3<R> unit_again(Vec3<R> d) {
+    return d * (R(1.5f) - R(0.5f) * dot(d, d));
+}
+
 /// Two unit vectors that make an orthonormal frame with the unit vector m, without a branch.
 /// Source: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
 template <class R>

@@ -98,16 +98,18 @@ ZERKALO_INLINE void go_on(PathPacket<R>& next, Mask<R> mask, Vec3<R> p, Vec3<R> 
 /// Reflection and refraction at solid k: K_r + f K_t and (1 - f) K_t. f is Fresnel's reflectance where the solid asks
 /// for it; else K_r and K_t are used as given, which is f = 0, and f = 1 at total internal reflection.
 template <class R>
-ZERKALO_INLINE void continue_at_solid(const PathPacket<R>& ray, const TransportData& transport, Vec3<R> p, Vec3<R> n,
+ZERKALO_INLINE void continue_at_solid(const PathPacket<R>& ray, const SolidPlan& solid, Vec3<R> p, Vec3<R> n,
                                       const Departure<R>& spot, Mask<R> here, Continuations<R>& next,
                                       TileCounts& counts) {
+    const TransportData& transport = solid.transport;
+    const bool is_round = solid.shape == ShapeKind::sphere || solid.shape == ShapeKind::tube;
     R reflection = R(transport.reflection);
     R transmission = R(transport.transmission);
     Vec3<R> through = ray.d;
     if (transport.transmission > 0) {
         const R eta = select(spot.inside, R(transport.eta_leaving), R(transport.eta_entering));
         const Refraction<R> refraction = refract(ray.d, n, eta);
-        through = refraction.d;
+        through = is_round ? unit_again(refraction.d) : refraction.d;
         const R turned_back = transport.fresnel ? transmission * unpolarised(fresnel_reflectance(ray.d, n, eta))
                                                 : select(refraction.total, transmission, R(0));
         reflection = reflection + turned_back;
@@ -117,7 +119,8 @@ ZERKALO_INLINE void continue_at_solid(const PathPacket<R>& ray, const TransportD
     const auto refracts = here & (transmission > R(0));
     if (any(reflects)) {
         counts.reflected += count_of(reflects);
-        go_on(next.one, Mask<R>(reflects), p, reflect(ray.d, n), scaled(ray.throughput, reflection), spot);
+        const Vec3<R> back = is_round ? unit_again(reflect(ray.d, n)) : reflect(ray.d, n);
+        go_on(next.one, Mask<R>(reflects), p, back, scaled(ray.throughput, reflection), spot);
     }
     if (any(refracts)) {
         counts.refracted += count_of(refracts);
@@ -148,7 +151,7 @@ ZERKALO_INLINE void shade_solids(const Plan& plan, const PathPacket<R>& ray, con
                                  counts));
         const TransportData& transport = solid.transport;
         if (ray.depth < plan.depth_limit && (transport.reflection > 0 || transport.transmission > 0)) {
-            continue_at_solid(ray, transport, p, n, spot, Mask<R>(here), next, counts);
+            continue_at_solid(ray, solid, p, n, spot, Mask<R>(here), next, counts);
         }
     }
 }
@@ -201,7 +204,7 @@ ZERKALO_INLINE void continue_at_mirror(const Plan& plan, const PathPacket<R>& ra
                                        Rgb<R>& sum, Continuations<R>& next, TileCounts& counts) {
     const LobeData& lobe = mirror.lobe;
     const Rgb<R> throughput = ray.throughput * spread<R>(mirror.reflectance);
-    const Vec3<R> d = reflect(ray.d, n);
+    const Vec3<R> d = mirror.curved ? unit_again(reflect(ray.d, n)) : reflect(ray.d, n);
     const Mask<R> max_phong = Mask<R>(lobe.max_phong != 0);
     if (!lobe.glossy) {
         counts.reflected += count_of(front);

@@ -129,8 +129,7 @@ constexpr int kDepth = 16;
 double inside_glass(double angle) {
     const bool total = kIndex * std::sin(angle) > 1;
     const double gain = total ? kReflection + kTransmission : kReflection;
-    return kGlow * truncated_series(gain, kDepth) +
-           (total ? 0 : kTransmission * truncated_series(gain, kDepth - 1));
+    return kGlow * truncated_series(gain, kDepth) + (total ? 0 : kTransmission * truncated_series(gain, kDepth - 1));
 }
 
 template <class Shown>
@@ -188,8 +187,9 @@ double s48_naive() {
 }
 
 constexpr StiffCase kRows[] = {
-    {"S46", "two facing reflectors, K_r up to 1, depth limit 0 to 255", "recursion ends when float cannot count further",
-     "the geometric series, cut off at the depth limit", "relative", 1e-6, s46_ours, s46_naive},
+    {"S46", "two facing reflectors, K_r up to 1, depth limit 0 to 255",
+     "recursion ends when float cannot count further", "the geometric series, cut off at the depth limit", "relative",
+     1e-6, s46_ours, s46_naive},
     {"S47", "a ray that whispers along a hollow hemisphere", "the root that is zero comes out as 1e-8: false bounces",
      "as many reflections as chords fit in, or as the depth limit allows", "reflections", 0, s47_ours, s47_naive},
     {"S48", "total reflection inside a glass ball, outside a bubble", "Snell's cosine is the root of a negative number",

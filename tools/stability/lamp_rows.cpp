@@ -170,7 +170,8 @@ double s39_naive() {
         for (int i = 0; i < kSide; ++i) {
             const exact::Ray ray = exact::through_pixel(scene.camera, kSide, kSide, i, j);
             const exact::Vec p = exact::at(ray, (-1 - ray.o.y) / ray.d.y);
-            if (ray.d.y >= 0 || exact::sphere(ray, {0, 0, 0}, 1).entry < exact::length(exact::minus(p, ray.o))) continue;
+            if (ray.d.y >= 0 || exact::sphere(ray, {0, 0, 0}, 1).entry < exact::length(exact::minus(p, ray.o)))
+                continue;
             const Vec3<float> o{0.1f, -0.2f, 0.05f};
             const Vec3<float> way = naive::minus({float(p.x), float(p.y), float(p.z)}, o);
             const naive::Roots walls = naive::sphere(o, way, {0, 0, 0}, 1);
@@ -184,8 +185,8 @@ constexpr StiffCase kRows[] = {
     {"S36", "a lamp with 1/r^2 on the surface of a ball", "(N.L) / r^2 is 0 / 0 where the lamp stands",
      "it lights no point of the ball, its own place included", "lit pixels", 0, s36_ours, s36_naive},
     {"S37", "lamps with 1/r^2 at 1e-20 above a floor, seen in an orange mirror too",
-     "1/r^2 is infinite, and times the blue that the mirror lacks NaN",
-     "bright and finite, every pixel and channel", "wrong values", 0, s37_ours, s37_naive},
+     "1/r^2 is infinite, and times the blue that the mirror lacks NaN", "bright and finite, every pixel and channel",
+     "wrong values", 0, s37_ours, s37_naive},
     {"S38", "a lamp behind a mirror", "shadow rays ask solids only: the lamp shines through the mirror",
      "nothing before the mirror is lit", "lit pixels", 0, s38_ours, s38_naive},
     {"S39", "a lamp inside each kind of solid", "the shadow ray's nearer root lies behind the lamp: no shadow",

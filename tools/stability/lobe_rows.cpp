@@ -165,8 +165,8 @@ double s33_naive() {
         float sum = 0, weights = 0;
         for (int k = 0; k < kDirections; ++k) {
             const float z = (float(k) + 0.5f) / kDirections, r = std::sqrt(1 - z * z), turn = 2.3999632f * float(k);
-            const float cosine = r * std::cos(turn) * float(ray.d.x) + r * std::sin(turn) * float(ray.d.y) -
-                                 z * float(ray.d.z);
+            const float cosine =
+                r * std::cos(turn) * float(ray.d.x) + r * std::sin(turn) * float(ray.d.y) - z * float(ray.d.z);
             const float weight = std::pow(std::fmax(cosine, 0.0f), float(kNarrow));
             weights += weight;
             sum += weight * sharp.at(i, j).g;

@@ -34,7 +34,8 @@ bool refused_by_loader(const std::string& polish) {
         "version = 1\nimage = { width = 8, height = 8 }\n"
         "camera = { position = [0, 0, 5], view = [0, 0, -1], horizontal_fov_deg = 40 }\n"
         "[[mirror]]\nposition = [0, 0, 0]\nnormal = [0, 0, 1]\n"
-        "boundary = { shape = \"disc\", radius = 1 }\npolish = " + polish + "\n";
+        "boundary = { shape = \"disc\", radius = 1 }\npolish = " +
+        polish + "\n";
     const LoadResult result = load_scene_text(text, "polish.toml", ".");
     return result.diagnostics.size() == 1 && result.diagnostics[0].message.find("polish") != std::string::npos;
 }
@@ -81,8 +82,8 @@ Scene skimming(Lobe lobe, double exponent) {
     scene.mirrors[0].lobe = lobe;
     scene.mirrors[0].lobe_exponent = exponent;
     constexpr double kAway = 16;
-    scene.camera = camera_at({0, kAway * std::tan(kGrazing), kAway}, {0, -std::sin(kGrazing), -std::cos(kGrazing)},
-                             kGrazing);
+    scene.camera =
+        camera_at({0, kAway * std::tan(kGrazing), kAway}, {0, -std::sin(kGrazing), -std::cos(kGrazing)}, kGrazing);
     return scene;
 }
 

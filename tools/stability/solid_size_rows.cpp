@@ -68,9 +68,9 @@ double s25_naive() {
 
 // ---- Prisms seen from above
 
-constexpr double kSmall = 0x1p-9;     // circumradius
+constexpr double kSmall = 0x1p-9;       // circumradius
 constexpr double kAbove = 16 * kSmall;  // the camera's height over the lid
-constexpr double kFramed = 1.1;       // half the picture at the lid, radii
+constexpr double kFramed = 1.1;         // half the picture at the lid, radii
 
 /// How far beyond the regular n-gon of circumradius 1 a point lies.
 double beyond_polygon(int sides, double x, double z) {
@@ -183,8 +183,7 @@ double s27_ours(const Stage& stage) {
     constexpr int kSides = 6;
     constexpr double kOver = 3;
     const Picture end = stage.render(prism_from_above(kSides, 1, kNeedle, kNeedle / 2, kOver), kSide, kSide);
-    return wrong +
-           wrong_in_polygon(kSides, [&](int i, int j, double, double) { return end.at(i, j).r > 0; });
+    return wrong + wrong_in_polygon(kSides, [&](int i, int j, double, double) { return end.at(i, j).r > 0; });
 }
 
 /// Snell at the upper face; the lower one must be farther than an epsilon away.
@@ -207,8 +206,8 @@ double s27_naive() {
 }
 
 constexpr StiffCase kRows[] = {
-    {"S25", "solids with a radius or a height of 0", "the normal is 0 / 0",
-     "each is refused and the field is named", "not refused", 0, s25_ours, s25_naive},
+    {"S25", "solids with a radius or a height of 0", "the normal is 0 / 0", "each is refused and the field is named",
+     "not refused", 0, s25_ours, s25_naive},
     {"S26", "prisms of radius 1/512 with 3 to 64 sides, seen from above; of 2 sides",
      "the lid's thin triangles fall below |det| < 1e-6 and are holes",
      "the outline is the regular polygon but for 1e-5 radii; fewer than 3 sides are refused", "wrong pixels", 0,

@@ -143,7 +143,8 @@ InPlane lamp_in_plane(int turn, bool front, double lamp_right) {
     };
     add(scene, lamp(place(lamp_right, 0.4, 0)));
     const double side = front ? 1 : -1;
-    scene.camera = camera_at(place(-1.5, 0.25, 3 * side), exact::minus(mirror.position, place(-1.5, 0.25, 3 * side)), 0.9);
+    scene.camera =
+        camera_at(place(-1.5, 0.25, 3 * side), exact::minus(mirror.position, place(-1.5, 0.25, 3 * side)), 0.9);
     return in;
 }
 

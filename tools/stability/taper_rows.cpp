@@ -42,9 +42,7 @@ float wall_light(const naive::WallHit& hit) {
 constexpr double kUlp = 0x1p-23;
 
 double s28_ours(const Stage& stage) {
-    const auto picture = [&](double taper) {
-        return stage.render(tube(1, taper, {0, 0, 0}, {0, 0, 0}), kSide, kSide);
-    };
+    const auto picture = [&](double taper) { return stage.render(tube(1, taper, {0, 0, 0}, {0, 0, 0}), kSide, kSide); };
     const Picture cylinder = picture(1);
     return std::max(largest_difference(cylinder, picture(1 - kUlp)), largest_difference(cylinder, picture(1 + kUlp)));
 }
