@@ -13,7 +13,8 @@ add_library(zerkalo_stability STATIC
   stability/picture_rows.cpp
   stability/refusal_rows.cpp
   stability/scaling_rows.cpp
-  stability/stage.cpp)
+  stability/stage.cpp
+  stability/symmetry_rows.cpp)
 target_include_directories(zerkalo_stability PUBLIC ${PROJECT_SOURCE_DIR})
 target_link_libraries(zerkalo_stability PUBLIC zerkalo::core PRIVATE zerkalo_options Threads::Threads)
 # Fixed point without a picture is asked where it stands: in the headers of the core.

@@ -19,6 +19,7 @@ std::vector<StiffCase> all_cases() {
         picture_rows(),
         refusal_rows(),
         scaling_rows(),
+        symmetry_rows(),
     };
     for (const auto& rows : groups) cases.insert(cases.end(), rows.begin(), rows.end());
     std::sort(cases.begin(), cases.end(),

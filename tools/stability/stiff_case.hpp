@@ -39,5 +39,6 @@ std::span<const StiffCase> machine_rows();
 std::span<const StiffCase> picture_rows();
 std::span<const StiffCase> refusal_rows();
 std::span<const StiffCase> scaling_rows();
+std::span<const StiffCase> symmetry_rows();
 
 }  // namespace zerkalo::stability
