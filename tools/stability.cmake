@@ -21,6 +21,7 @@ add_library(zerkalo_stability STATIC
   stability/solid_size_rows.cpp
   stability/stage.cpp
   stability/sun_rows.cpp
+  stability/symmetry_rows.cpp
   stability/taper_rows.cpp)
 target_include_directories(zerkalo_stability PUBLIC ${PROJECT_SOURCE_DIR})
 target_link_libraries(zerkalo_stability PUBLIC zerkalo::core

@@ -26,6 +26,7 @@ std::vector<StiffCase> all_cases() {
         scaling_rows(),
         solid_size_rows(),
         sun_rows(),
+        symmetry_rows(),
         taper_rows(),
     };
     for (const auto& rows : groups) cases.insert(cases.end(), rows.begin(), rows.end());

@@ -160,9 +160,11 @@ double s60_naive() {
 
 constexpr StiffCase kRows[] = {
     {"S59", "every kind of solid before a mirror, 2^-40 to 2^40 times as large",
-     "an epsilon of 1e-4 is a length: all or nothing", "the same picture to the last bit", "pixels apart", 0, s59_ours, s59_naive},
+     "an epsilon of 1e-4 is a length: all or nothing", "the same picture to the last bit", "pixels apart", 0,
+     s59_ours, s59_naive},
     {"S60", "the same scene, 2^20 away along any axis, on a grid of 1/8",
-     "hits are rounded to the grid: steps for a ball", "the same picture to the last bit", "pixels apart", 0, s60_ours, s60_naive},
+     "hits are rounded to the grid: steps for a ball", "the same picture to the last bit", "pixels apart", 0,
+     s60_ours, s60_naive},
 };
 
 }  // namespace

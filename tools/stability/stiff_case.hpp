@@ -46,6 +46,7 @@ std::span<const StiffCase> refusal_rows();
 std::span<const StiffCase> scaling_rows();
 std::span<const StiffCase> solid_size_rows();
 std::span<const StiffCase> sun_rows();
+std::span<const StiffCase> symmetry_rows();
 std::span<const StiffCase> taper_rows();
 
 }  // namespace zerkalo::stability
