@@ -3,6 +3,7 @@
 
 #include "core/numeric/lane.hpp"
 
+#include <concepts>
 #include <utility>
 
 namespace zerkalo::inline ZERKALO_ISA {
@@ -54,7 +55,7 @@ ZERKALO_INLINE float largest_lane(Lanes<W> a) {
 
 /// From how many values pick() chooses; 0 where the instruction set has no such move.
 template <class R>
-constexpr int kPickable = kWidth<R> >= 8 ? kWidth<R> : 0;
+constexpr int kPickable = std::same_as<Lanes<kWidth<R>>, R> && kWidth<R> >= 8 ? kWidth<R> : 0;
 
 /// table[index] of each lane. Index: a whole number below kPickable<R>; the table holds kPickable<R> values.
 template <class R>

@@ -5,7 +5,8 @@
 namespace zerkalo {
 namespace {
 
-constexpr float kUnbounded = std::numeric_limits<float>::infinity();
+constexpr double kReachRoom = 0x1p-10;
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 bool is_tube(const Solid& solid) { return solid.kind == SolidKind::cylinder || solid.kind == SolidKind::cone; }
 
@@ -27,18 +28,21 @@ Point around(const Placement& at, SetupSineCosine angle, double radius, double y
     return at.middle + at.axis_x * (radius * angle.cosine) + at.axis_z * (radius * angle.sine) + at.axis_y * y;
 }
 
+template <class F>
 struct SlabWriter {
-    Slab* next;
+    const Constants<F>& to;
+    SlabOf<F>* next;
     std::int32_t count = 0;
 
     void add(const Point& n, double lo, double hi) {
-        next[count] = Slab{rounded(n), float(lo), float(hi), float(count)};
+        next[count] = SlabOf<F>{to.direction(n), to.length(lo), to.length(hi), typename F::Index(count)};
         ++count;
     }
 };
 
 /// Even prisms pair their opposite sides into slabs; odd ones have single half-spaces.
-void write_prism(const Solid& solid, const Placement& at, SlabWriter& out) {
+template <class F>
+void write_prism(const Solid& solid, const Placement& at, SlabWriter<F>& out) {
     const double apothem = solid.radius * corner_angle(1, solid.sides).cosine;
     const bool even = solid.sides % 2 == 0;
     for (std::int32_t k = 0; k < (even ? solid.sides / 2 : solid.sides); ++k) {
@@ -48,7 +52,8 @@ void write_prism(const Solid& solid, const Placement& at, SlabWriter& out) {
     out.add(at.axis_y, -solid.height / 2, solid.height / 2);
 }
 
-void write_pyramid(const Solid& solid, const Placement& at, SlabWriter& out) {
+template <class F>
+void write_pyramid(const Solid& solid, const Placement& at, SlabWriter<F>& out) {
     const double apothem = solid.radius * corner_angle(1, solid.sides).cosine;
     const double slant = length({apothem, solid.height, 0});
     const double outward = solid.height / slant, upward = apothem / slant;
@@ -60,31 +65,42 @@ void write_pyramid(const Solid& solid, const Placement& at, SlabWriter& out) {
     out.add(at.axis_y, -solid.height / 2, kUnbounded);
 }
 
-TubeData tube_of(const Solid& solid, const Placement& at) {
-    const double slope = (top_radius(solid) - solid.radius) / solid.height;
-    TubeData tube{};
-    tube.centre = rounded(at.middle);
+template <class F>
+TubeDataOf<F> tube_of(const Solid& solid, const Placement& at, const Constants<F>& to) {
+    const double slope = slope_of(solid);
+    TubeDataOf<F> tube{};
+    tube.centre = to.point(at.middle);
     // Around its own axis a tube looks the same from all sides: an upright one needs no rotation.
     tube.upright = at.axis_y.x == 0 && at.axis_y.z == 0 && at.axis_y.y == 1;
-    tube.axis_x = rounded(at.axis_x), tube.axis_y = rounded(at.axis_y), tube.axis_z = rounded(at.axis_z);
-    tube.mid_radius = float((solid.radius + top_radius(solid)) / 2);
-    tube.slope = float(slope);
-    tube.half_height = float(solid.height / 2);
-    tube.normal_scale = float(1 / length({1, slope, 0}));
-    tube.tapered = tube.slope != 0;
+    tube.axis_x = to.direction(at.axis_x), tube.axis_y = to.direction(at.axis_y);
+    tube.axis_z = to.direction(at.axis_z);
+    tube.mid_radius = to.length((solid.radius + top_radius(solid)) / 2);
+    tube.slope = to.ratio(slope);
+    tube.half_height = to.length(solid.height / 2);
+    tube.normal_scale = to.direction({1 / length({1, slope, 0}), 0, 0}).x;
+    tube.tapered = tube.slope != typename F::Ratio(0);
+    if constexpr (F::kFixed) {
+        const double widest = solid.radius > top_radius(solid) ? solid.radius : top_radius(solid);
+        const double reach = length({widest, solid.height / 2, 0}) * (1 + kReachRoom);
+        tube.reach2 = to.area(reach * reach);
+    }
     return tube;
 }
 
-MeshData write_mesh(const Scene& scene, const Solid& solid, std::int32_t first, TriangleData* out) {
+template <class F>
+MeshData write_mesh(const Scene& scene, const Solid& solid, const Constants<F>& to, std::int32_t first,
+                    TriangleDataOf<F>* out) {
     for (std::int32_t k = 0; k < solid.triangle_count; ++k) {
         const Triangle& t = scene.triangles[solid.first_triangle + k];
         const Point a = mesh_corner(solid, t.a), b = mesh_corner(solid, t.b), c = mesh_corner(solid, t.c);
-        out[first + k] = {rounded(a), rounded(b - a), rounded(c - a), rounded(unit(cross(b - a, c - a)))};
+        out[first + k] = {to.point(a), to.point(b - a), to.point(c - a), to.direction(unit(cross(b - a, c - a)))};
     }
     return {first, solid.triangle_count};
 }
 
 }  // namespace
+
+double slope_of(const Solid& solid) { return (top_radius(solid) - solid.radius) / solid.height; }
 
 Placement placement_of(const Solid& solid) {
     Placement at;
@@ -148,62 +164,76 @@ Ball ball_of(const Scene& scene, const Solid& solid) {
     return {at.middle + at.axis_y * (y - h / 2), to_base > to_top ? to_base : to_top};
 }
 
-void derive_solid(const Scene& scene, std::int32_t k, std::int32_t& slabs, std::int32_t& triangles, Plan& plan) {
+template <class F>
+void derive_solid(const Scene& scene, std::int32_t k, const Constants<F>& to, std::int32_t& slabs,
+                  std::int32_t& triangles, PlanOf<F>& plan) {
     const Solid& solid = scene.solids[k];
     const Placement at = placement_of(solid);
-    SolidPlan& out = plan.solids[k];
-    out = SolidPlan{};
-    out.id = float(k);
+    SolidPlanOf<F>& out = plan.solids[k];
+    out = SolidPlanOf<F>{};
+    out.id = typename F::Index(k);
     if (solid.kind == SolidKind::sphere) {
         out.shape = ShapeKind::sphere;
-        out.sphere = {rounded(solid.position), float(solid.radius * solid.radius), float(1 / solid.radius)};
+        out.sphere = {to.point(solid.position), to.area(solid.radius * solid.radius), to.inverse(1 / solid.radius)};
     } else if (is_tube(solid)) {
         out.shape = ShapeKind::tube;
-        out.tube = tube_of(solid, at);
+        out.tube = tube_of(solid, at, to);
     } else if (solid.kind == SolidKind::mesh) {
         out.shape = ShapeKind::mesh;
-        out.mesh = write_mesh(scene, solid, triangles, plan.triangles);
+        out.mesh = write_mesh(scene, solid, to, triangles, plan.triangles);
         triangles += solid.triangle_count;
     } else {
         out.shape = ShapeKind::half_spaces;
-        SlabWriter writer{plan.slabs + slabs};
+        SlabWriter<F> writer{to, plan.slabs + slabs};
         if (solid.kind == SolidKind::prism) write_prism(solid, at, writer);
         if (solid.kind == SolidKind::pyramid) write_pyramid(solid, at, writer);
-        out.half_spaces = {rounded(at.middle), slabs, writer.count, {}};
+        out.half_spaces = {to.point(at.middle), slabs, writer.count, {}};
         for (std::int32_t s = 0; s < writer.count && s < kListedFaces; ++s) {
-            const Vec3<float>& n = plan.slabs[slabs + s].n;
-            FaceNormals& normals = out.half_spaces.normals;
+            const auto& n = plan.slabs[slabs + s].n;
+            FaceNormalsOf<F>& normals = out.half_spaces.normals;
             normals.x[s] = n.x, normals.y[s] = n.y, normals.z[s] = n.z;
         }
         slabs += writer.count;
     }
     const Material& m = solid.material;
-    out.surface = derive_surface(m, scene.ambient);
-    out.transport = {float(m.reflection), float(m.transmission), float(1 / m.refractive_index),
-                     float(m.refractive_index)};
+    out.surface = derive_surface(m, scene.ambient, to);
+    out.transport = {to.weight(m.reflection), to.weight(m.transmission), to.ratio(1 / m.refractive_index),
+                     to.ratio(m.refractive_index)};
 }
 
-double clearance(const Plan& plan, const SolidPlan& solid, const Vec3<double>& p) {
+template <class F>
+double clearance(const PlanOf<F>& plan, const SolidPlanOf<F>& solid, const Constants<F>& to, const Vec3<double>& p) {
     if (solid.shape == ShapeKind::sphere) {
-        return length(p - solid.sphere.centre) - square_root(double(solid.sphere.radius2));
+        const double radius2 = to.number_of(solid.sphere.radius2);
+        return length(p - to.point_of(solid.sphere.centre)) - to.unscaled(square_root(radius2));
     }
     if (solid.shape == ShapeKind::tube) {
-        const TubeData& tube = solid.tube;
-        const Point f = p - tube.centre;
-        const double y = dot(tube.axis_y, f);
-        const double across = length(cross(f, tube.axis_y));
-        const double caps = magnitude(y) - tube.half_height;
-        const double side = (across - (tube.mid_radius + double(tube.slope) * y)) * tube.normal_scale;
+        const TubeDataOf<F>& tube = solid.tube;
+        const Point f = p - to.point_of(tube.centre), axis = to.direction_of(tube.axis_y);
+        const double y = dot(axis, f);
+        const double across = length(cross(f, axis));
+        const double caps = magnitude(y) - to.length_of(tube.half_height);
+        const double radius = to.length_of(tube.mid_radius) + to.number_of(tube.slope) * y;
+        const double side = (across - radius) * to.number_of(tube.normal_scale);
         return caps > side ? caps : side;
     }
     double farthest = -kInfinity;
     for (std::int32_t s = 0; s < solid.half_spaces.slab_count; ++s) {
-        const Slab& slab = plan.slabs[solid.half_spaces.first_slab + s];
-        const double along = dot(slab.n, p - solid.half_spaces.centre);
-        if (along - slab.hi > farthest) farthest = along - slab.hi;
-        if (slab.lo - along > farthest) farthest = slab.lo - along;
+        const SlabOf<F>& slab = plan.slabs[solid.half_spaces.first_slab + s];
+        const double along = dot(to.direction_of(slab.n), p - to.point_of(solid.half_spaces.centre));
+        const double hi = to.length_of(slab.hi), lo = to.length_of(slab.lo);
+        if (along - hi > farthest) farthest = along - hi;
+        if (lo - along > farthest) farthest = lo - along;
     }
     return farthest;
 }
+
+template void derive_solid(const Scene&, std::int32_t, const Constants<FloatFormats>&, std::int32_t&, std::int32_t&,
+                           Plan&);
+template void derive_solid(const Scene&, std::int32_t, const Constants<FixedFormats>&, std::int32_t&, std::int32_t&,
+                           FixedPlan&);
+template double clearance(const Plan&, const SolidPlan&, const Constants<FloatFormats>&, const Vec3<double>&);
+template double clearance(const FixedPlan&, const SolidPlanOf<FixedFormats>&, const Constants<FixedFormats>&,
+                          const Vec3<double>&);
 
 }  // namespace zerkalo
