@@ -116,19 +116,20 @@ ZERKALO_INLINE constexpr To as(Fixed<A, F> value) {
     }
 }
 
-/// The exact product, rounded once. Of two 64-bit numbers at least one has to be read as a fraction: see rescaled_wide.
+/// The exact product, rounded once.
 template <class To, class A, int FA, class B, int FB>
 ZERKALO_INLINE constexpr To product(Fixed<A, FA> a, Fixed<B, FB> b) {
-    using T = typename To::Element;
-    constexpr int kShift = FA + FB - To::kFraction;
+    using T [[maybe_unused]] = typename To::Element;
     if constexpr (SingleWord<A> && SingleWord<B>) {
         return as<To>(a * b);
     } else if constexpr (SingleWord<A>) {
+        constexpr int kShift = FA + FB - To::kFraction;
         return with_fraction<To::kFraction>(each_lane(
             [](std::int32_t x, std::int64_t y) { return rescaled_product<T, kShift>(x, y); }, a.raw, b.raw));
     } else if constexpr (SingleWord<B>) {
         return product<To>(b, a);
     } else {
+        constexpr int kShift = FA + FB - To::kFraction;
         return with_fraction<To::kFraction>(each_lane(
             [](std::int64_t x, std::int64_t y) { return rescaled_wide_product<T, kShift>(x, y); }, a.raw, b.raw));
     }

@@ -68,6 +68,18 @@ ZERKALO_INLINE constexpr bool none(IntLanes<bool, W> m) { return !any(m); }
 template <int W>
 ZERKALO_INLINE constexpr bool all(IntLanes<bool, W> m) { return !any(!m); }
 
+template <int W>
+ZERKALO_INLINE constexpr IntLanes<bool, W> select(IntLanes<bool, W> m, IntLanes<bool, W> a, IntLanes<bool, W> b) {
+    return each_lane([](bool p, bool x, bool y) { return p ? x : y; }, m, a, b);
+}
+/// Bit k is lane k.
+template <int W>
+ZERKALO_INLINE constexpr std::uint32_t bits_of(IntLanes<bool, W> m) {
+    std::uint32_t bits = 0;
+    for (int k = 0; k < W; ++k) bits |= (m.v[k] ? 1u : 0u) << k;
+    return bits;
+}
+
 // Unsigned lanes wrap: phases and hashes.
 template <int W>
 ZERKALO_INLINE constexpr auto operator+(IntLanes<std::uint32_t, W> a, IntLanes<std::uint32_t, W> b) {

@@ -15,6 +15,12 @@ template <class T, int W>
 struct IntLanes {
     static_assert(W > 1);
     T v[W];
+
+    IntLanes() = default;
+    /// The same in all lanes.
+    ZERKALO_INLINE constexpr explicit IntLanes(T uniform) {
+        for (int k = 0; k < W; ++k) v[k] = uniform;
+    }
 };
 
 template <class X>
@@ -44,13 +50,7 @@ using Ints = typename IntLanesOf<T, W>::type;
 /// A plain integer in all lanes.
 template <class X>
 ZERKALO_INLINE constexpr X in_all_lanes(LaneElement<X> uniform) {
-    if constexpr (kLanesOf<X> == 1) {
-        return uniform;
-    } else {
-        X result{};
-        for (int k = 0; k < kLanesOf<X>; ++k) result.v[k] = uniform;
-        return result;
-    }
+    return X(uniform);
 }
 
 /// The largest value that a format of this type holds; the smallest is its negative, so that -x always exists.

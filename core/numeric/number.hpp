@@ -156,11 +156,7 @@ ZERKALO_INLINE R half_of(R a) {
 /// The same answer in all lanes.
 template <class N>
 ZERKALO_INLINE MaskOf<N> mask_of(bool answer) {
-    if constexpr (requires { MaskOf<N>(answer); }) {
-        return MaskOf<N>(answer);
-    } else {
-        return in_all_lanes<MaskOf<N>>(answer);
-    }
+    return MaskOf<N>(answer);
 }
 
 /// Number k of a solid, a mirror or a face.

@@ -5,6 +5,8 @@ namespace {
 
 // The box, and the longest way across the scene: below the 16 where lengths end, with room for rounding.
 constexpr double kBox = 8, kLongestWay = 15;
+// What a camera or a light far away may take from the scale of the objects.
+constexpr double kMostDistance = 128;
 // The smallest solid or mirror, in the box: 2^-14 is 8192 steps of a length.
 constexpr double kLeastRadius = 0x1p-14;
 // Below the 16 where ratios, curvatures and the radius of a cone at its bounding ball end.
@@ -39,6 +41,23 @@ double scale_of(const Box& box) {
     while (farthest * scale > kBox || way * scale > kLongestWay) scale /= 2;
     while (scale < 0x1p40 && farthest * scale * 2 <= kBox && way * scale * 2 <= kLongestWay) scale *= 2;
     return scale;
+}
+
+/// Who stands so far away that the solids and mirrors lose too many digits, if anybody does.
+Status check_distances(const Scene& scene, const Point& origin, const Box& objects, double scale) {
+    // A box without objects has no size to lose.
+    if (scene.solid_count + scene.mirror_count == 0 || scale * kMostDistance >= scale_of(objects)) return kOk;
+    const char* reason = "is too far from the solids and mirrors for fixed point: at most 128 times their size";
+    const Point middle = (objects.low + objects.high) * 0.5;
+    double farthest = length(origin - middle);
+    Status status{"position", reason, Part::camera, 0};
+    for (std::int32_t j = 0; j < scene.light_count; ++j) {
+        const double distance = length(scene.lights[j].position - middle);
+        if (distance <= farthest) continue;
+        farthest = distance;
+        status = Status{"position", reason, Part::light, j};
+    }
+    return status;
 }
 
 Status check_solid(const Solid& solid, const Ball& ball, double scale, std::int32_t k) {
@@ -91,11 +110,13 @@ double power_in_box(const Light& light, double scale) {
 
 Status fit(const Scene& scene, const Surroundings& around, const Vec3<double>& origin, Constants<FixedFormats>& to) {
     Box box;
-    box.add(origin, 0);
-    for (std::int32_t j = 0; j < scene.light_count; ++j) box.add(scene.lights[j].position, 0);
     for (std::int32_t k = 0; k < scene.solid_count; ++k) box.add(around.solids[k].centre, around.solids[k].radius);
     for (std::int32_t m = 0; m < scene.mirror_count; ++m) box.add(around.mirrors[m].centre, around.mirrors[m].radius);
+    const Box objects = box;
+    box.add(origin, 0);
+    for (std::int32_t j = 0; j < scene.light_count; ++j) box.add(scene.lights[j].position, 0);
     const double scale = scale_of(box);
+    if (const Status status = check_distances(scene, origin, objects, scale); !status.ok()) return status;
 
     for (std::int32_t k = 0; k < scene.solid_count; ++k) {
         const Status status = check_solid(scene.solids[k], around.solids[k], scale, k);
