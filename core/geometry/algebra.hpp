@@ -37,6 +37,24 @@ template <class To, class From>
 ZERKALO_INLINE Vec3<To> as(Vec3<From> a) {
     return {as<To>(a.x), as<To>(a.y), as<To>(a.z)};
 }
+template <class To, class From>
+ZERKALO_INLINE Rgb<To> as(Rgb<From> a) {
+    return {as<To>(a.r), as<To>(a.g), as<To>(a.b)};
+}
+
+/// a s in the format To, and a dot product each of whose terms is rounded to To: where a product has no format.
+template <class To, class A, class B>
+ZERKALO_INLINE Vec3<To> product(Vec3<A> a, B s) {
+    return {product<To>(a.x, s), product<To>(a.y, s), product<To>(a.z, s)};
+}
+template <class To, class A, class B>
+ZERKALO_INLINE Rgb<To> product(Rgb<A> a, B s) {
+    return {product<To>(a.r, s), product<To>(a.g, s), product<To>(a.b, s)};
+}
+template <class To, class A, class B>
+ZERKALO_INLINE To dot_as(Vec3<A> a, Vec3<B> b) {
+    return product<To>(a.x, b.x) + product<To>(a.y, b.y) + product<To>(a.z, b.z);
+}
 
 template <class M, class A>
 ZERKALO_INLINE Vec3<A> select(M mask, Vec3<A> a, Vec3<A> b) {
@@ -48,12 +66,12 @@ ZERKALO_INLINE Rgb<A> select(M mask, Rgb<A> a, Rgb<A> b) {
 }
 
 /// A uniform vector, the same in all lanes.
-template <class R>
-ZERKALO_INLINE Vec3<R> spread(Vec3<float> a) {
+template <class R, class U>
+ZERKALO_INLINE Vec3<R> spread(Vec3<U> a) {
     return {R(a.x), R(a.y), R(a.z)};
 }
-template <class R>
-ZERKALO_INLINE Rgb<R> spread(Rgb<float> a) {
+template <class R, class U>
+ZERKALO_INLINE Rgb<R> spread(Rgb<U> a) {
     return {R(a.r), R(a.g), R(a.b)};
 }
 

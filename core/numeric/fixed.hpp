@@ -12,40 +12,10 @@
 // Source: Heinly, Recker, Bensema, Porch, Gribble, "Integer Ray Tracing", JGT 14(4), 2009.
 #pragma once
 
-#include "core/numeric/fixed_lanes.hpp"
+#include "core/numeric/integer_root.hpp"
 #include "core/numeric/number.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
-
-/// Rep: std::int32_t, std::int64_t or lanes of them. The raw integers never hold the most negative value.
-template <class Rep, int FracBits>
-struct Fixed {
-    using Element = LaneElement<Rep>;
-    static constexpr int kFraction = FracBits;
-    static constexpr int kValueBits = std::numeric_limits<Element>::digits;
-    static_assert(std::same_as<Element, std::int32_t> || std::same_as<Element, std::int64_t>);
-    static_assert(FracBits >= 0 && FracBits < kValueBits);
-
-    Rep raw;
-
-    Fixed() = default;
-    /// A whole number, the same in all lanes, held at the ends of the format.
-    template <std::same_as<int> Whole>
-    ZERKALO_INLINE constexpr explicit Fixed(Whole whole)
-        : raw(in_all_lanes<Rep>(rescaled<Element, -FracBits>(whole))) {}
-    /// A uniform number of the same format in all lanes.
-    template <std::same_as<LaneElement<Rep>> U>
-        requires(kLanesOf<Rep> > 1)
-    ZERKALO_INLINE constexpr Fixed(Fixed<U, FracBits> uniform) : raw(in_all_lanes<Rep>(uniform.raw)) {}
-
-    /// The number with this integer; the most negative integer stands for the one above it.
-    static ZERKALO_INLINE constexpr Fixed from_raw(Rep raw) {
-        Fixed result{};
-        result.raw = each_lane([](Element r) { return r < -kLargest<Element> ? -kLargest<Element> : r; }, raw);
-        return result;
-    }
-    static ZERKALO_INLINE constexpr Fixed far_away() { return from_raw(in_all_lanes<Rep>(kLargest<Element>)); }
-};
 
 template <class A, class B>
 concept SameWidth = kLanesOf<A> == 1 || kLanesOf<B> == 1 || kLanesOf<A> == kLanesOf<B>;
@@ -112,8 +82,9 @@ template <class A, class B, int F>
     requires SameElement<A, B>
 [[gnu::const]] ZERKALO_INLINE constexpr auto operator!=(Fixed<A, F> a, Fixed<B, F> b) { return !(a == b); }
 
+// At width 1 masks that & joins are ints.
 template <class M, class A, class B, int F>
-    requires SameElement<A, B> && std::same_as<LaneElement<M>, bool>
+    requires SameElement<A, B> && (std::same_as<LaneElement<M>, bool> || std::same_as<M, int>)
 ZERKALO_INLINE constexpr auto select(M mask, Fixed<A, F> a, Fixed<B, F> b) {
     using T = LaneElement<A>;
     return with_fraction<F>(each_lane([](bool m, T x, T y) { return m ? x : y; }, mask, a.raw, b.raw));
@@ -122,6 +93,9 @@ template <class A, class B, int F>
 ZERKALO_INLINE constexpr auto min(Fixed<A, F> a, Fixed<B, F> b) { return select(a < b, a, b); }
 template <class A, class B, int F>
 ZERKALO_INLINE constexpr auto max(Fixed<A, F> a, Fixed<B, F> b) { return select(a > b, a, b); }
+
+template <class A, int F>
+ZERKALO_INLINE constexpr Fixed<A, F> absolute(Fixed<A, F> a) { return select(a < Fixed<A, F>(0), -a, a); }
 
 /// a, negated where `sign` is negative.
 template <class A, int F>
@@ -142,25 +116,48 @@ ZERKALO_INLINE constexpr To as(Fixed<A, F> value) {
     }
 }
 
-/// The exact product of a 32-bit and a 64-bit number, rounded once.
+/// The exact product, rounded once.
 template <class To, class A, int FA, class B, int FB>
-    requires SingleWord<A>
 ZERKALO_INLINE constexpr To product(Fixed<A, FA> a, Fixed<B, FB> b) {
-    using T = typename To::Element;
-    constexpr int kShift = FA + FB - To::kFraction;
-    return with_fraction<To::kFraction>(each_lane(
-        [](std::int32_t x, std::int64_t y) { return rescaled_product<T, kShift>(x, y); }, a.raw, b.raw));
+    using T [[maybe_unused]] = typename To::Element;
+    if constexpr (SingleWord<A> && SingleWord<B>) {
+        return as<To>(a * b);
+    } else if constexpr (SingleWord<A>) {
+        constexpr int kShift = FA + FB - To::kFraction;
+        return with_fraction<To::kFraction>(each_lane(
+            [](std::int32_t x, std::int64_t y) { return rescaled_product<T, kShift>(x, y); }, a.raw, b.raw));
+    } else if constexpr (SingleWord<B>) {
+        return product<To>(b, a);
+    } else {
+        constexpr int kShift = FA + FB - To::kFraction;
+        return with_fraction<To::kFraction>(each_lane(
+            [](std::int64_t x, std::int64_t y) { return rescaled_wide_product<T, kShift>(x, y); }, a.raw, b.raw));
+    }
 }
 
 /// a / b rounded to nearest, ties away from zero. Division by zero is the end of the format on the side of a; 0 / 0 is
 /// the upper end, so that a ray in the plane of a slab's upper face is inside and in that of the lower face outside.
+/// Where the shifted dividend may exceed 64 bits, off by at most one step and 2^-30 of the quotient.
 template <class To, class A, int FA, class B, int FB>
 ZERKALO_INLINE constexpr To quotient(Fixed<A, FA> a, Fixed<B, FB> b) {
     using T = typename To::Element;
     constexpr int kShift = To::kFraction - FA + FB;
-    static_assert(kShift >= 0 && Fixed<A, FA>::kValueBits + kShift <= 63, "the shifted dividend must fit in 64 bits");
+    static_assert(kShift >= 0);
+    constexpr bool kFits = Fixed<A, FA>::kValueBits + kShift <= 63;
     return with_fraction<To::kFraction>(each_lane(
-        [](std::int64_t x, std::int64_t y) { return rounded_quotient<T, kShift>(x, y); }, a.raw, b.raw));
+        [](std::int64_t x, std::int64_t y) {
+            if constexpr (kFits) return rounded_quotient<T, kShift>(x, y);
+            else return long_quotient<T, kShift>(x, y);
+        },
+        a.raw, b.raw));
+}
+
+/// 1 / a in the format To for a >= 0, relative error below 2^-30; the end of the format for 0.
+template <class To, class A, int F>
+ZERKALO_INLINE constexpr To reciprocal(Fixed<A, F> a) {
+    using T = typename To::Element;
+    return with_fraction<To::kFraction>(
+        each_lane([](std::int64_t x) { return integer_reciprocal<T, To::kFraction + F>(x); }, a.raw));
 }
 
 /// Square root rounded to nearest (a root of an integer is never half-way between two).
@@ -181,17 +178,61 @@ ZERKALO_INLINE constexpr auto ahead_of(Fixed<B, F> t_min, Fixed<A, F> t, Fixed<A
                      t_min.raw, t.raw, along.raw);
 }
 
+/// The same number with one bit less before the point: half of it, exactly.
+template <class A, int F>
+ZERKALO_INLINE constexpr Fixed<A, F + 1> half_of(Fixed<A, F> a) {
+    return with_fraction<F + 1>(a.raw);
+}
+
 /// The fixed-point system of one width, as FloatNumbers is that of float.
 template <int W>
 struct FixedNumbers {
-    using Length = Fixed<Ints<std::int32_t, W>, 27>;
-    using Direction = Fixed<Ints<std::int32_t, W>, 30>;
-    using Area = Fixed<Ints<std::int64_t, W>, 54>;
+    using Formats = FixedFormats;
+    template <class F>
+    using Lanes = Fixed<Ints<typename F::Element, W>, F::kFraction>;
+
+    using Length = Lanes<FixedFormats::Length>;
+    using Direction = Lanes<FixedFormats::Direction>;
+    using Area = Lanes<FixedFormats::Area>;
     using Square = Fixed<Ints<std::int64_t, W>, 60>;
-    using Curvature = Fixed<Ints<std::int32_t, W>, 27>;
-    using Index = Fixed<Ints<std::int32_t, W>, 0>;
+    using Volume = Fixed<Ints<std::int64_t, W>, 48>;
+    using Moment = Fixed<Ints<std::int64_t, W>, 57>;
+    using Curvature = Lanes<FixedFormats::Curvature>;
+    using Inverse = Lanes<FixedFormats::Inverse>;
+    using Ratio = Lanes<FixedFormats::Ratio>;
+    using Index = Lanes<FixedFormats::Index>;
+    using Weight = Lanes<FixedFormats::Weight>;
+    using Radiance = Lanes<FixedFormats::Radiance>;
+    using LightSum = Fixed<Ints<std::int64_t, W>, 54>;  // a weight times a radiance, and sums of them: exact
+    using Exponent = Lanes<FixedFormats::Exponent>;
+    using Share = Lanes<FixedFormats::Share>;
+    using Phase = Ints<std::uint32_t, W>;               // a turn is 2^32 and wraps
+    using Fraction = Fixed<Ints<std::int64_t, W>, 60>;  // of a lobe's energy
+    using Pixels = Fixed<Ints<std::int32_t, W>, 14>;
+    using View = Lanes<FixedFormats::View>;
+    using FarStep = Lanes<FixedFormats::FarStep>;
     using Mask = Ints<bool, W>;
     using Uniform = FixedNumbers<1>;
 };
+
+/// kWidth<R> values of an array, as lanes: bits, or phases.
+template <class R>
+    requires(Formats<R>::kFixed)
+ZERKALO_INLINE Bits<R> load_bits(const std::uint32_t* source) {
+    Bits<R> result{};
+    for (int k = 0; k < kWidth<R>; ++k) set_lane(result, k, source[k]);
+    return result;
+}
+
+template <int W>
+struct LaneTraits<FixedNumbers<W>> {
+    using Mask = Ints<bool, W>;
+    using Bits = Ints<std::uint32_t, W>;
+    static constexpr int kWidth = W;
+};
+template <class Rep, int F>
+struct LaneTraits<Fixed<Rep, F>> : LaneTraits<FixedNumbers<kLanesOf<Rep>>> {};
+template <class Rep, int F>
+struct SystemOf<Fixed<Rep, F>> { using type = FixedNumbers<kLanesOf<Rep>>; };
 
 }  // namespace zerkalo::inline ZERKALO_ISA

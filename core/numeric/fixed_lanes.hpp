@@ -4,44 +4,9 @@
 // all widths give the same bits by construction, on any target, also on one without a vector unit or a float unit.
 #pragma once
 
-#include "core/numeric/isa.hpp"
-
-#include <concepts>
-#include <cstdint>
-#include <limits>
+#include "core/numeric/formats.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
-
-/// W integers, or W booleans. A width of 1 is the integer itself, never this.
-template <class T, int W>
-struct IntLanes {
-    static_assert(W > 1);
-    T v[W];
-};
-
-template <class X>
-struct IntLaneTraits {
-    using Element = X;
-    static constexpr int kWidth = 1;
-};
-template <class T, int W>
-struct IntLaneTraits<IntLanes<T, W>> {
-    using Element = T;
-    static constexpr int kWidth = W;
-};
-template <class X>
-using LaneElement = typename IntLaneTraits<X>::Element;
-template <class X>
-constexpr int kLanesOf = IntLaneTraits<X>::kWidth;
-
-template <class T, int W>
-struct IntLanesOf { using type = IntLanes<T, W>; };
-template <class T>
-struct IntLanesOf<T, 1> { using type = T; };
-
-/// W values of type T: T itself at width 1.
-template <class T, int W>
-using Ints = typename IntLanesOf<T, W>::type;
 
 /// Lane k; a plain integer is the same in all lanes.
 template <class X>
@@ -53,15 +18,12 @@ ZERKALO_INLINE constexpr LaneElement<X> lane_of(const X& x, int k) {
     }
 }
 
-/// A plain integer in all lanes.
 template <class X>
-ZERKALO_INLINE constexpr X in_all_lanes(LaneElement<X> uniform) {
+ZERKALO_INLINE constexpr void set_lane(X& x, int k, LaneElement<X> value) {
     if constexpr (kLanesOf<X> == 1) {
-        return uniform;
+        x = value;
     } else {
-        X result{};
-        for (int k = 0; k < kLanesOf<X>; ++k) result.v[k] = uniform;
-        return result;
+        x.v[k] = value;
     }
 }
 
@@ -106,9 +68,35 @@ ZERKALO_INLINE constexpr bool none(IntLanes<bool, W> m) { return !any(m); }
 template <int W>
 ZERKALO_INLINE constexpr bool all(IntLanes<bool, W> m) { return !any(!m); }
 
-/// The largest value that a format of this type holds; the smallest is its negative, so that -x always exists.
-template <std::signed_integral T>
-constexpr T kLargest = std::numeric_limits<T>::max();
+template <int W>
+ZERKALO_INLINE constexpr IntLanes<bool, W> select(IntLanes<bool, W> m, IntLanes<bool, W> a, IntLanes<bool, W> b) {
+    return each_lane([](bool p, bool x, bool y) { return p ? x : y; }, m, a, b);
+}
+/// Bit k is lane k.
+template <int W>
+ZERKALO_INLINE constexpr std::uint32_t bits_of(IntLanes<bool, W> m) {
+    std::uint32_t bits = 0;
+    for (int k = 0; k < W; ++k) bits |= (m.v[k] ? 1u : 0u) << k;
+    return bits;
+}
+
+// Unsigned lanes wrap: phases and hashes.
+template <int W>
+ZERKALO_INLINE constexpr auto operator+(IntLanes<std::uint32_t, W> a, IntLanes<std::uint32_t, W> b) {
+    return each_lane([](std::uint32_t x, std::uint32_t y) { return x + y; }, a, b);
+}
+template <int W>
+ZERKALO_INLINE constexpr auto operator*(IntLanes<std::uint32_t, W> a, IntLanes<std::uint32_t, W> b) {
+    return each_lane([](std::uint32_t x, std::uint32_t y) { return x * y; }, a, b);
+}
+template <int W>
+ZERKALO_INLINE constexpr auto operator^(IntLanes<std::uint32_t, W> a, IntLanes<std::uint32_t, W> b) {
+    return each_lane([](std::uint32_t x, std::uint32_t y) { return x ^ y; }, a, b);
+}
+template <int W>
+ZERKALO_INLINE constexpr auto operator>>(IntLanes<std::uint32_t, W> a, int n) {
+    return each_lane([n](std::uint32_t x) { return x >> n; }, a);
+}
 
 /// |x|, exact also for the most negative integer.
 ZERKALO_INLINE constexpr std::uint64_t magnitude_of(std::int64_t x) {
@@ -154,13 +142,50 @@ ZERKALO_INLINE constexpr To rescaled(std::int64_t x) {
 /// a b / 2^Shift of the exact 96-bit product, to nearest, ties away from zero, held at the ends of To.
 template <std::signed_integral To, int Shift>
 ZERKALO_INLINE constexpr To rescaled_product(std::int32_t a, std::int64_t b) {
-    static_assert(Shift > 32 && Shift < 96, "the low half of the product must lie below the rounding bit");
+    static_assert(Shift > 0 && Shift < 96);
     const std::uint64_t x = magnitude_of(a), y = magnitude_of(b);
     const std::uint64_t low = x * (y & 0xffffffffu);
     const std::uint64_t high = x * (y >> 32) + (low >> 32);
-    const std::uint64_t size = (high + (std::uint64_t{1} << (Shift - 33))) >> (Shift - 32);
-    return saturated<To>(size, (a < 0) != (b < 0));
+    const bool negative = (a < 0) != (b < 0);
+    if constexpr (Shift > 32) {
+        return saturated<To>((high + (std::uint64_t{1} << (Shift - 33))) >> (Shift - 32), negative);
+    } else {
+        const std::uint64_t rest = ((low & 0xffffffffu) + (std::uint64_t{1} << (Shift - 1))) >> Shift;
+        const bool fits = high >> (30 + Shift) == 0;
+        return saturated<To>(fits ? (high << (32 - Shift)) + rest : ~std::uint64_t{0}, negative);
+    }
 }
+
+/// An unsigned number of 128 bits.
+struct Wide {
+    std::uint64_t high, low;
+};
+ZERKALO_INLINE constexpr Wide wide_product(std::uint64_t a, std::uint64_t b) {
+    constexpr std::uint64_t kHalf = 0xffffffffu;
+    const std::uint64_t low = (a & kHalf) * (b & kHalf);
+    const std::uint64_t one = (a >> 32) * (b & kHalf) + (low >> 32);
+    const std::uint64_t two = (a & kHalf) * (b >> 32) + (one & kHalf);
+    return {(a >> 32) * (b >> 32) + (one >> 32) + (two >> 32), (two << 32) | (low & kHalf)};
+}
+
+/// a b / 2^Shift of the exact 128-bit product, to nearest, ties upwards; all bits set where 64 are too few.
+template <int Shift>
+ZERKALO_INLINE constexpr std::uint64_t rescaled_wide(std::uint64_t a, std::uint64_t b) {
+    static_assert(Shift > 0 && Shift < 64);
+    Wide wide = wide_product(a, b);
+    const std::uint64_t low = wide.low + (std::uint64_t{1} << (Shift - 1));
+    wide.high += low < wide.low;
+    return wide.high >> Shift == 0 ? (wide.high << (64 - Shift)) | (low >> Shift) : ~std::uint64_t{0};
+}
+
+/// The same for numbers with a sign, ties away from zero, held at the ends of To.
+template <std::signed_integral To, int Shift>
+ZERKALO_INLINE constexpr To rescaled_wide_product(std::int64_t a, std::int64_t b) {
+    return saturated<To>(rescaled_wide<Shift>(magnitude_of(a), magnitude_of(b)), (a < 0) != (b < 0));
+}
+
+/// Leading zeros of x > 0.
+ZERKALO_INLINE constexpr int leading_zeros(std::uint64_t x) { return __builtin_clzll(x); }
 
 /// a 2^Shift / b to nearest, ties away from zero, held at the ends of To. Division by zero: the end of a's sign.
 template <std::signed_integral To, int Shift>
@@ -171,18 +196,33 @@ ZERKALO_INLINE constexpr To rounded_quotient(std::int64_t a, std::int64_t b) {
     return saturated<To>((dividend + divisor / 2) / divisor, (a < 0) != (b < 0));
 }
 
-/// The integer nearest to the square root of x; 0 for x < 0. One bit a step: the same on every target.
-ZERKALO_INLINE constexpr std::uint64_t nearest_root(std::int64_t x) {
-    std::uint64_t rest = x < 0 ? 0 : static_cast<std::uint64_t>(x);
-    std::uint64_t result = 0;
-    for (std::uint64_t bit = std::uint64_t{1} << 62; bit != 0; bit >>= 2) {
-        const std::uint64_t trial = result + bit;
-        const bool fits = rest >= trial;
-        rest -= fits ? trial : 0;
-        result = (result >> 1) + (fits ? bit : 0);
-    }
-    // x = result^2 + rest, and (result + 1/2)^2 lies between the integers result^2 + result and the next one.
-    return result + (rest > result ? 1u : 0u);
+/// a 2^Shift / b where the shifted dividend need not fit into 64 bits: off by at most one step and 2^-30 of the quotient.
+template <std::signed_integral To, int Shift>
+ZERKALO_INLINE constexpr To long_quotient(std::int64_t a, std::int64_t b) {
+    const std::uint64_t x = magnitude_of(a), y = magnitude_of(b);
+    const bool negative = (a < 0) != (b < 0);
+    if (x == 0 && y != 0) return 0;
+    if (x == 0 || y == 0) return saturated<To>(~std::uint64_t{0}, a < 0);
+    const int room = leading_zeros(x) - 1;
+    const int up = room < Shift ? room : Shift;
+    // Bits of the divisor for which the dividend has no room: they count only where the quotient is out of range.
+    const std::uint64_t divisor = up == Shift ? y : (y + (std::uint64_t{1} << (Shift - up - 1))) >> (Shift - up);
+    if (divisor == 0) return saturated<To>(~std::uint64_t{0}, negative);
+    return saturated<To>(((x << up) + divisor / 2) / divisor, negative);
+}
+
+/// 2^Shift / x for x >= 0 with a relative error below 2^-30, and one step; held at the end of To.
+template <std::signed_integral To, int Shift>
+ZERKALO_INLINE constexpr To integer_reciprocal(std::int64_t x) {
+    if (x <= 0) return kLargest<To>;
+    const int zeros = leading_zeros(static_cast<std::uint64_t>(x));
+    // x is nearly m 2^(32 - zeros), with 32 bits of m.
+    const std::uint64_t m = (static_cast<std::uint64_t>(x) << zeros) >> 32;
+    const std::uint64_t inverse = (std::uint64_t{1} << 63) / m;
+    const int up = Shift - 95 + zeros;
+    if (up >= 31) return kLargest<To>;
+    if (up >= 0) return saturated<To>(inverse << up, false);
+    return saturated<To>(up < -33 ? 0 : (inverse + (std::uint64_t{1} << (-up - 1))) >> -up, false);
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

@@ -1,16 +1,15 @@
 // Lanes of float: W values that one instruction works on. The only file that names the vendor library.
 //
-// Width 1 is a real width: `Real<1>` is float itself, and the free functions below exist for it too, so the serial
-// renderer that one steps through in a debugger is the SIMD renderer at width 1.
+// Width 1 is a real width: `Real<1>` is float itself, and the free functions below exist for it too (one_lane.hpp).
 // Float contract (equal bits everywhere): + - * / sqrt, compare, select and bit operations only. No fused multiply-add,
 // no reciprocal estimates, no sums across lanes; min and max are compare and select.
 #pragma once
 
-#include "core/numeric/isa.hpp"
+#include "core/numeric/one_lane.hpp"
+
+#if !defined(ZERKALO_INTEGERS_ONLY)
 #include "core/numeric/native_order.hpp"
 
-#include <bit>
-#include <cstdint>
 #include <xsimd/xsimd.hpp>
 #if defined(__aarch64__)
 #include <arm_neon.h>
@@ -116,47 +115,12 @@ struct LaneBits {
     friend ZERKALO_INLINE LaneBits operator>>(LaneBits a, int n) { return LaneBits(Batch(a.v >> n)); }
 };
 
-template <class R>
-struct LaneTraits;
-template <>
-struct LaneTraits<float> {
-    using Mask = bool;
-    using Bits = std::uint32_t;
-    static constexpr int kWidth = 1;
-};
 template <int W>
 struct LaneTraits<Lanes<W>> {
     using Mask = LaneMask<W>;
     using Bits = LaneBits<W>;
     static constexpr int kWidth = W;
 };
-template <int W>
-struct RealOf { using type = Lanes<W>; };
-template <>
-struct RealOf<1> { using type = float; };
-
-/// W floats: float itself at width 1.
-template <int W>
-using Real = typename RealOf<W>::type;
-template <class R>
-using Mask = typename LaneTraits<R>::Mask;
-template <class R>
-using Bits = typename LaneTraits<R>::Bits;
-template <class R>
-constexpr int kWidth = LaneTraits<R>::kWidth;
-
-ZERKALO_INLINE bool any(bool m) { return m; }
-ZERKALO_INLINE bool all(bool m) { return m; }
-ZERKALO_INLINE bool none(bool m) { return !m; }
-ZERKALO_INLINE std::uint32_t bits_of(bool m) { return m ? 1u : 0u; }
-ZERKALO_INLINE float select(bool m, float a, float b) { return m ? a : b; }
-ZERKALO_INLINE bool select(bool m, bool a, bool b) { return m ? a : b; }
-ZERKALO_INLINE float sqrt(float a) { return __builtin_sqrtf(a); }
-ZERKALO_INLINE float min(float a, float b) { return a < b ? a : b; }
-ZERKALO_INLINE float max(float a, float b) { return a > b ? a : b; }
-ZERKALO_INLINE std::uint32_t to_bits(float a) { return std::bit_cast<std::uint32_t>(a); }
-ZERKALO_INLINE float from_bits(std::uint32_t a) { return std::bit_cast<float>(a); }
-
 template <int W>
 ZERKALO_INLINE bool any(LaneMask<W> m) { return xsimd::any(m.v); }
 template <int W>
@@ -236,57 +200,11 @@ ZERKALO_INLINE Lanes<W> from_bits(LaneBits<W> a) {
     return Lanes<W>(xsimd::bitwise_cast<CastTarget<float, FloatBatch<W>>>(a.v));
 }
 
-/// Unaligned: `source` holds kWidth<R> floats.
-template <class R>
-ZERKALO_INLINE R load(const float* source) {
-    if constexpr (kWidth<R> == 1) {
-        return *source;
-    } else {
-        return R(R::Batch::load_unaligned(source));
-    }
-}
-ZERKALO_INLINE void store(float* target, float a) { *target = a; }
 template <int W>
 ZERKALO_INLINE void store(float* target, Lanes<W> a) { a.v.store_unaligned(target); }
 
-template <class R>
-ZERKALO_INLINE Bits<R> load_bits(const std::uint32_t* source) {
-    if constexpr (kWidth<R> == 1) {
-        return *source;
-    } else {
-        return Bits<R>(Bits<R>::Batch::load_unaligned(source));
-    }
-}
-
-/// The same bits with the sign flipped where `sign` is negative (also -0).
-template <class R>
-ZERKALO_INLINE R flip_sign(R a, R sign) {
-    return from_bits(to_bits(a) ^ (to_bits(sign) & Bits<R>(0x80000000u)));
-}
-/// The sign bit of -a.
-template <class R>
-ZERKALO_INLINE Bits<R> opposite_sign(R a) {
-    return (to_bits(a) & Bits<R>(0x80000000u)) ^ Bits<R>(0x80000000u);
-}
-template <class R>
-ZERKALO_INLINE R absolute(R a) {
-    return from_bits(to_bits(a) & Bits<R>(0x7fffffffu));
-}
-
-ZERKALO_INLINE float first_lane(float a) { return a; }
 template <int W>
 ZERKALO_INLINE float first_lane(Lanes<W> a) { return typename FloatBatch<W>::register_type(a.v)[0]; }
 
-/// Number of lanes set in the mask.
-template <class M>
-ZERKALO_INLINE std::uint32_t count_of(M mask) {
-    const std::uint32_t bits = bits_of(mask);
-#if defined(__POPCNT__)
-    return static_cast<std::uint32_t>(__builtin_popcount(bits));
-#else
-    // Widths without a population count have at most four lanes: sixteen answers of four bits each.
-    return static_cast<std::uint32_t>(0x4332322132212110u >> (4 * bits)) & 15u;
-#endif
-}
-
 }  // namespace zerkalo::inline ZERKALO_ISA
+#endif

@@ -2,42 +2,126 @@
 //
 // In a float system all of them are the same lane type and the conversions below do nothing. In a fixed-point system
 // they are formats (Q4.27, Q1.30, 64-bit products), a product changes the format, and `as<To>` is where it is rounded.
+// The kernels' templates call their system R: lanes of float, or a FixedNumbers<W>.
 #pragma once
 
+#include "core/numeric/formats.hpp"
 #include "core/numeric/lane.hpp"
 
+#include <concepts>
 #include <limits>
 
 namespace zerkalo::inline ZERKALO_ISA {
 
-/// Floats of one width. `Uniform` is the system of values that all lanes share.
+/// Floats of one width. `Uniform` is the system of values that all lanes share, `Formats` that of the plan's constants.
 template <class R>
 struct FloatNumbers {
+    using Formats = FloatFormats;
     using Length = R;
     using Direction = R;
     using Area = R;
     using Square = R;
+    using Volume = R;
+    using Moment = R;
     using Curvature = R;
+    using Inverse = R;
+    using Ratio = R;
     using Index = R;
+    using Weight = R;
+    using Radiance = R;
+    using LightSum = R;
+    using Exponent = R;
+    using Share = R;
+    using Phase = R;
+    using Fraction = R;
+    using Pixels = R;
+    using View = R;
+    using FarStep = R;
     using Mask = zerkalo::Mask<R>;
     using Uniform = FloatNumbers<float>;
 };
 
+template <class R>
+struct LaneTraits<FloatNumbers<R>> : LaneTraits<R> {};
+
+/// The system that a type stands for: lanes of float are a system in which every quantity is such a lane, a number of a
+/// fixed-point format belongs to the system of its width, and a system is its own.
 template <class N>
-using Length = typename N::Length;
+struct SystemOf { using type = N; };
+template <>
+struct SystemOf<float> { using type = FloatNumbers<float>; };
+template <int W>
+struct SystemOf<Lanes<W>> { using type = FloatNumbers<Lanes<W>>; };
 template <class N>
-using Direction = typename N::Direction;
+using System = typename SystemOf<N>::type;
+
+/// What names a system in the templates of the kernels: lanes of float themselves, or a fixed-point system.
+template <class T>
+struct NumbersOf { using type = System<T>; };
+template <>
+struct NumbersOf<float> { using type = float; };
+template <int W>
+struct NumbersOf<Lanes<W>> { using type = Lanes<W>; };
+template <class T>
+using Numbers = typename NumbersOf<T>::type;
+
 template <class N>
-using Area = typename N::Area;
+using Formats = typename System<N>::Formats;
+template <class N>
+using Length = typename System<N>::Length;
+template <class N>
+using Direction = typename System<N>::Direction;
+template <class N>
+using Area = typename System<N>::Area;
 /// Of a direction's component: what a discriminant without a unit of length is.
 template <class N>
-using Square = typename N::Square;
+using Square = typename System<N>::Square;
 template <class N>
-using Curvature = typename N::Curvature;
+using Volume = typename System<N>::Volume;
+/// A length times a direction.
 template <class N>
-using MaskOf = typename N::Mask;
+using Moment = typename System<N>::Moment;
 template <class N>
-using Uniform = typename N::Uniform;
+using Curvature = typename System<N>::Curvature;
+/// One over a length.
+template <class N>
+using Inverse = typename System<N>::Inverse;
+/// Of refractive indices, and what they make of a cosine.
+template <class N>
+using Ratio = typename System<N>::Ratio;
+/// Of solids, mirrors and faces.
+template <class N>
+using Index = typename System<N>::Index;
+/// Shares of light, cosines among them: 0 to 1.
+template <class N>
+using Weight = typename System<N>::Weight;
+template <class N>
+using Radiance = typename System<N>::Radiance;
+/// Weight times radiance, and sums of it.
+template <class N>
+using LightSum = typename System<N>::LightSum;
+/// Of a cosine power.
+template <class N>
+using Exponent = typename System<N>::Exponent;
+/// 1 / (n + 1) of an exponent n.
+template <class N>
+using Share = typename System<N>::Share;
+/// Part of a turn.
+template <class N>
+using Phase = typename System<N>::Phase;
+/// Part of a lobe's energy: 0 to 1.
+template <class N>
+using Fraction = typename System<N>::Fraction;
+template <class N>
+using Pixels = typename System<N>::Pixels;
+template <class N>
+using View = typename System<N>::View;
+template <class N>
+using FarStep = typename System<N>::FarStep;
+template <class N>
+using MaskOf = typename System<N>::Mask;
+template <class N>
+using Uniform = typename System<N>::Uniform;
 
 /// The same value in another format; a float keeps its bits.
 template <class To, class From>
@@ -61,6 +145,28 @@ ZERKALO_INLINE To product(A a, B b) {
 template <class To, class A>
 ZERKALO_INLINE To root(A a) {
     return sqrt(To(a));
+}
+
+/// a / 2; in fixed point with one fraction bit more, so exactly.
+template <class R>
+ZERKALO_INLINE R half_of(R a) {
+    return a * R(0.5f);
+}
+
+/// The same answer in all lanes.
+template <class N>
+ZERKALO_INLINE MaskOf<N> mask_of(bool answer) {
+    return MaskOf<N>(answer);
+}
+
+/// Number k of a solid, a mirror or a face.
+template <class N>
+ZERKALO_INLINE Index<N> index_of(int k) {
+    if constexpr (std::same_as<Formats<N>, FloatFormats>) {
+        return Index<N>(float(k));
+    } else {
+        return Index<N>(k);
+    }
 }
 
 /// Farther than anything: the bound of a span that never ends.

@@ -3,10 +3,16 @@
 
 #include "core/numeric/lane.hpp"
 
+#include <concepts>
 #include <utility>
 
 namespace zerkalo::inline ZERKALO_ISA {
 
+/// From how many values pick() chooses; 0 where the instruction set has no such move.
+template <class R>
+constexpr int kPickable = std::same_as<Lanes<kWidth<R>>, R> && kWidth<R> >= 8 ? kWidth<R> : 0;
+
+#if !defined(ZERKALO_INTEGERS_ONLY)
 template <int n>
 struct FloatVectorOf {
     using type __attribute__((vector_size(4 * n))) = float;
@@ -52,10 +58,6 @@ ZERKALO_INLINE float largest_lane(Lanes<W> a) {
     return largest_of<W>(typename FloatBatch<W>::register_type(a.v));
 }
 
-/// From how many values pick() chooses; 0 where the instruction set has no such move.
-template <class R>
-constexpr int kPickable = kWidth<R> >= 8 ? kWidth<R> : 0;
-
 /// table[index] of each lane. Index: a whole number below kPickable<R>; the table holds kPickable<R> values.
 template <class R>
 ZERKALO_INLINE R pick(const float* table, R index) {
@@ -99,5 +101,6 @@ ZERKALO_INLINE void store_triples(float* out, const float* r, const float* g, co
     set_unaligned<n>(out + n, merged<n, 1>(x, y, z, lanes));
     set_unaligned<n>(out + 2 * n, merged<n, 2>(x, y, z, lanes));
 }
+#endif
 
 }  // namespace zerkalo::inline ZERKALO_ISA

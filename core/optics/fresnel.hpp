@@ -12,6 +12,7 @@
 #pragma once
 
 #include "core/geometry/algebra.hpp"
+#include "core/numeric/fixed.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
 
@@ -39,10 +40,28 @@ ZERKALO_INLINE Reflectance<R> fresnel_reflectance(Vec3<R> d, Vec3<R> n, R eta) {
     return {across, min(across * (ratio * ratio), R(1))};
 }
 
+/// In fixed point by the forms on the left: their differences are exact, and what is lost of the quotients is a step of
+/// the format, wherever they stand. Equations that say nothing reflect all.
+template <class A, int F, class E>
+ZERKALO_INLINE Reflectance<Fixed<A, F>> fresnel_reflectance(Vec3<Fixed<A, F>> d, Vec3<Fixed<A, F>> n, E eta) {
+    using D = Fixed<A, F>;
+    const Vec3<D> perpendicular = as<D>(cross(d, n));
+    const D eta_sine = as<D>(eta * root<D>(dot(perpendicular, perpendicular)));
+    const auto behind2 = (D(1) - eta_sine) * (D(1) + eta_sine);
+    const auto total = behind2 < decltype(behind2)(0);
+    const D before = max(-as<D>(dot(d, n)), D(0)), behind = root<D>(max(behind2, decltype(behind2)(0)));
+    const auto share = [total](E first, E second) ZERKALO_INLINE_LAMBDA {
+        const E sum = first + second;
+        const D amplitude = as<D>(quotient<E>(first - second, sum));
+        return select(total | (sum <= E(0)), D(1), min(as<D>(amplitude * amplitude), D(1)));
+    };
+    return {share(as<E>(eta * before), as<E>(behind)), share(as<E>(before), as<E>(eta * behind))};
+}
+
 /// Of light without a direction of its own: half of it swings each way.
 template <class R>
 ZERKALO_INLINE R unpolarised(Reflectance<R> reflectance) {
-    return (reflectance.across + reflectance.within) * R(0.5f);
+    return as<R>(half_of(reflectance.across + reflectance.within));
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "core/numeric/elementary.hpp"
+#include "core/numeric/fixed_elementary.hpp"
 #include "core/optics/optics_data.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
@@ -21,6 +22,26 @@ template <class R>
 ZERKALO_INLINE R turn_of_phase(Bits<R> phase) {
     // 23 bits become a float in [1, 2).
     return from_bits((phase >> 9) | Bits<R>(0x3f800000u)) - R(1.5f);
+}
+
+/// The same as a phase of the system R: in fixed point the phase itself, half a turn on, as the float's is.
+template <class R>
+ZERKALO_INLINE Phase<R> phase_of(Bits<R> bits) {
+    if constexpr (Formats<R>::kFixed) {
+        return bits ^ Bits<R>(0x80000000u);
+    } else {
+        return turn_of_phase<Phase<R>>(bits);
+    }
+}
+
+/// kWidth<R> phases of an array.
+template <class R>
+ZERKALO_INLINE Phase<R> load_phases(const Phase<Uniform<R>>* source) {
+    if constexpr (Formats<R>::kFixed) {
+        return load_bits<R>(source);
+    } else {
+        return load<R>(source);
+    }
 }
 
 /// Well mixed bits of a 32-bit key. Source: Wellons, "Prospecting for Hash Functions" (lowbias32), 2018.
@@ -60,15 +81,47 @@ constexpr int class_of_pixel(const LatticeClasses& classes, int pixel) {
 }
 
 /// By how much of a turn a class is rotated, for the given camera sample and mirror bounce.
-ZERKALO_INLINE float turn_of_class(int lattice_class, std::uint32_t camera_sample, std::uint32_t bounce) {
+ZERKALO_INLINE std::uint32_t phase_of_class(int lattice_class, std::uint32_t camera_sample, std::uint32_t bounce) {
     const std::uint32_t base = hash_bits(camera_sample * 256u + bounce + 1u);
-    return turn_of_phase<float>(base + (static_cast<std::uint32_t>(lattice_class) << 30));
+    return base + (static_cast<std::uint32_t>(lattice_class) << 30);
+}
+ZERKALO_INLINE float turn_of_class(int lattice_class, std::uint32_t camera_sample, std::uint32_t bounce) {
+    return turn_of_phase<float>(phase_of_class(lattice_class, camera_sample, bounce));
+}
+
+/// A fraction strictly between 0 and 1 of 23 bits: (k + 1/2) / 2^23.
+template <class R>
+ZERKALO_INLINE Fraction<R> fraction_of_bits(Bits<R> bits) {
+    if constexpr (Formats<R>::kFixed) {
+        return with_fraction<60>(each_lane(
+            [](std::uint32_t b) { return static_cast<std::int64_t>((std::uint64_t{b >> 9} * 2 + 1) << 36); }, bits));
+    } else {
+        return turn_of_phase<R>(bits) + R(0.5f + 0x1p-24f);
+    }
+}
+
+/// (s + 1/2) / n and 1 / n, for all lanes.
+template <class R>
+ZERKALO_INLINE Fraction<R> midpoint(std::int32_t s, std::int32_t n) {
+    if constexpr (Formats<R>::kFixed) {
+        return Fraction<Uniform<R>>::from_raw(rounded_quotient<std::int64_t, 40>(2 * s + 1, n) << 19);
+    } else {
+        return R((float(s) + 0.5f) / float(n));
+    }
+}
+template <class R>
+ZERKALO_INLINE Weight<R> one_part_of(std::int32_t n) {
+    if constexpr (Formats<R>::kFixed) {
+        return Weight<Uniform<R>>::from_raw(rounded_quotient<std::int32_t, 30>(1, n));
+    } else {
+        return R(1) / R(float(n));
+    }
 }
 
 /// A direction in the lobe's frame: `forward` along the axis, `side` and `up` across.
 template <class R>
 struct LobePoint {
-    R side, up, forward;
+    Direction<R> side, up, forward;
 };
 
 /// u in (0, 1): the share of the lobe's energy farther out than this point.
@@ -81,6 +134,17 @@ ZERKALO_INLINE LobePoint<R> lobe_point(R u, R turn, R inverse_exponent) {
     const R radius = sqrt(from_axis * (R(2) - from_axis));
     const SineCosine<R> azimuth = sincos_turn(turn);
     return {radius * azimuth.cosine, radius * azimuth.sine, R(1) - from_axis};
+}
+
+/// The same in fixed point; `turn` wraps.
+template <class A, int F, class P, class B, int FS>
+ZERKALO_INLINE auto lobe_point(Fixed<A, F> u, P turn, Fixed<B, FS> inverse_exponent) {
+    using N = Numbers<Fixed<A, F>>;
+    using D = Direction<N>;
+    const auto from_axis = one_minus_power(u, inverse_exponent);
+    const D radius = root<D>(product<Square<N>>(from_axis, decltype(from_axis)(2) - from_axis));
+    const SineCosine<D> azimuth = sincos_turn<D>(turn);
+    return LobePoint<N>{as<D>(radius * azimuth.cosine), as<D>(radius * azimuth.sine), D(1) - as<D>(from_axis)};
 }
 
 /// Lattice points index, index + 1, ... of `count`, one a lane.
@@ -96,6 +160,16 @@ ZERKALO_INLINE LobePoint<R> lattice_point(Bits<R> index, std::int32_t count, R i
 template <class R>
 ZERKALO_INLINE R lobe_weight(R cosine, R inverse_cosine_out) {
     return max(min(cosine * inverse_cosine_out, R(1)), R(0));
+}
+
+/// The same from the cosine of the way out itself.
+template <class W>
+ZERKALO_INLINE W lobe_weight_of(W cosine, W cosine_out) {
+    if constexpr (Formats<W>::kFixed) {
+        return max(min(quotient<W>(cosine, cosine_out), W(1)), W(0));
+    } else {
+        return lobe_weight(cosine, W(W(1) / cosine_out));
+    }
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

@@ -1,7 +1,9 @@
 // What the kernels read of lights, materials and lobes: plain uniform data, derived once by prepare().
+// F: the formats of its numbers.
 #pragma once
 
 #include "core/geometry/vec.hpp"
+#include "core/numeric/formats.hpp"
 
 #include <cstdint>
 
@@ -12,39 +14,46 @@ namespace zerkalo {
 /// from a light at the largest distance squared, 1e30.
 constexpr float kBrightest = 0x1p100f;
 
-struct LightData {
-    Vec3<float> position;
-    Rgb<float> power;       // color * intensity: E without the falloff
-    float falloff_limit;    // 1/d^2 beyond which E would be brighter than any sum can hold
-    float highlight_limit;  // n x beyond which (1-x)^n E cannot change a picture by 2^-24
+template <class F>
+struct LightDataOf {
+    Vec3<typename F::Length> position;
+    Rgb<typename F::Radiance> power;       // color * intensity: E without the falloff
+    typename F::Inverse falloff_limit;     // 1/d^2 beyond which E would be brighter than any sum can hold
+    typename F::Exponent highlight_limit;  // n x beyond which (1-x)^n E cannot change a picture by 2^-24
     std::uint8_t inverse_square;
     std::uint8_t distant;  // so far away that shadow rays must start at the surface
 };
+using LightData = LightDataOf<FloatFormats>;
 
 /// The coefficients of seed formula 1.5 with everything constant multiplied out. A back of a mirror has no highlight.
-struct SurfaceData {
-    Rgb<float> ambient;   // C K_a I_a
-    Rgb<float> diffuse;   // C K_d
-    Rgb<float> specular;  // F K_s: F = 1 on solids, the tint on mirrors
-    float shininess;      // n
-    std::uint32_t unlit_by = 0;  // bit j: light j lies in or behind the plane of this side
+template <class F>
+struct SurfaceDataOf {
+    Rgb<typename F::Radiance> ambient;  // C K_a I_a
+    Rgb<typename F::Weight> diffuse;    // C K_d
+    Rgb<typename F::Weight> specular;   // F K_s: F = 1 on solids, the tint on mirrors
+    typename F::Exponent shininess;     // n
+    std::uint32_t unlit_by = 0;         // bit j: light j lies in or behind the plane of this side
 };
+using SurfaceData = SurfaceDataOf<FloatFormats>;
 
 /// What a solid's surface passes on: K_r, K_t and the two ratios of indices.
-struct TransportData {
-    float reflection, transmission;
-    float eta_entering, eta_leaving;
+template <class F>
+struct TransportDataOf {
+    typename F::Weight reflection, transmission;
+    typename F::Ratio eta_entering, eta_leaving;
     std::uint8_t fresnel;  // Fresnel's equations divide K_t
 };
+using TransportData = TransportDataOf<FloatFormats>;
 
-struct LobeData {
-    float exponent;          // n
-    float inverse_exponent;  // 1 / (n + 1)
-    float cosine, sine;      // of the cone that holds all lobe rays, or all but 2^-11 of the lobe's energy
-    float widest_sine;       // of the lattice ray farthest from the axis, rounded up
+template <class F>
+struct LobeDataOf {
+    typename F::Share inverse_exponent;  // 1 / (n + 1)
+    typename F::Weight cosine, sine;     // of the cone that holds all lobe rays, or all but 2^-11 of the lobe's energy
+    typename F::Weight widest_sine;      // of the lattice ray farthest from the axis, rounded up
     std::uint8_t glossy;
     std::uint8_t max_phong;
 };
+using LobeData = LobeDataOf<FloatFormats>;
 
 constexpr int kChunk = 64;         // lattice points held at a time: one bit each in a mask
 constexpr int kChunkPadding = 16;  // of the widest lane

@@ -9,7 +9,9 @@
 // Source: Whitted, "An Improved Illumination Model for Shaded Display", Comm. ACM 23(6), 1980; Phong, 1975.
 #pragma once
 
+#include "core/geometry/unit.hpp"
 #include "core/numeric/elementary.hpp"
+#include "core/numeric/fixed_elementary.hpp"
 #include "core/optics/directions.hpp"
 #include "core/optics/optics_data.hpp"
 
@@ -18,43 +20,52 @@ namespace zerkalo::inline ZERKALO_ISA {
 /// The way from a surface point to a light.
 template <class R>
 struct ToLight {
-    Vec3<R> l;  // unit
-    R distance, n_dot_l;
+    Vec3<Direction<R>> l;  // unit
+    Length<R> distance;
+    Weight<R> n_dot_l;
 };
 
+template <class F, class L, class D>
+ZERKALO_INLINE ToLight<Numbers<L>> towards(const LightDataOf<F>& light, Vec3<L> p, Vec3<D> n) {
+    const auto way = unit_of(light.position - p);
+    return {way.unit, way.length, as<Weight<L>>(dot(n, way.unit))};
+}
+
+/// 1 / d^2
 template <class R>
-ZERKALO_INLINE ToLight<R> towards(const LightData& light, Vec3<R> p, Vec3<R> n) {
-    const Vec3<R> way = light.position - p;
-    const R distance = sqrt(dot(way, way));
-    const Vec3<R> l = way * (R(1) / distance);
-    return {l, distance, dot(n, l)};
+ZERKALO_INLINE R inverse_square(R distance) {
+    return R(1) / (distance * distance);
+}
+template <class A, int F>
+ZERKALO_INLINE auto inverse_square(Fixed<A, F> distance) {
+    return reciprocal<Inverse<Fixed<A, F>>>(distance * distance);
 }
 
 /// What one visible light adds. v: unit, towards the viewer. Lanes outside `lit` are meaningless.
-template <class R>
-ZERKALO_INLINE Rgb<R> light_share(const LightData& light, const ToLight<R>& to, Vec3<R> n, Vec3<R> v,
-                                  const SurfaceData& surface, Mask<R> lit) {
-    Rgb<R> share = scaled(spread<R>(surface.diffuse), to.n_dot_l);
-    if (surface.shininess == 0) {
+template <class F, class R>
+ZERKALO_INLINE Rgb<Radiance<R>> light_share(const LightDataOf<F>& light, const ToLight<R>& to, Vec3<Direction<R>> n,
+                                            Vec3<Direction<R>> v, const SurfaceDataOf<F>& surface, Mask<R> lit) {
+    using W = Weight<R>;
+    Rgb<W> share = as<W>(scaled(spread<W>(surface.diffuse), to.n_dot_l));
+    if (surface.shininess == typename F::Exponent(0)) {
         // Whatever the angle: max(0, R.V)^0 = 1, the constant lobe.
-        share = share + spread<R>(surface.specular);
+        share = share + spread<W>(surface.specular);
     } else {
         // (R.V)^n through the chord between R and V: x = |R - V|^2 / 2 = 1 - R.V, so R.V > 0 is x < 1.
-        const Vec3<R> chord = mirror_direction(to.l, n, to.n_dot_l) - v;
-        const R x = dot(chord, chord) * R(0.5f);
-        const auto bright = lit & (x < R(1)) & (x * R(surface.shininess) < R(light.highlight_limit));
+        const auto chord = mirror_direction(to.l, n, to.n_dot_l) - v;
+        const auto x = half_of(dot(chord, chord));
+        const auto n_x = product<Exponent<R>>(x, Exponent<R>(surface.shininess));
+        const auto bright = lit & (x < decltype(half_of(dot(v, v)))(1)) & (n_x < Exponent<R>(light.highlight_limit));
         if (any(bright)) {
-            const R highlight = select(bright, power_of_one_minus(x, R(surface.shininess)), R(0));
-            share = share + scaled(spread<R>(surface.specular), highlight);
+            const W highlight = select(bright, as<W>(power_of_one_minus(x, Exponent<R>(surface.shininess))), W(0));
+            share = share + as<W>(scaled(spread<W>(surface.specular), highlight));
         }
     }
-    share = spread<R>(light.power) * share;
-    if (light.inverse_square) {
-        // A light on the surface itself: a large number instead of infinity, so that zero stays zero.
-        const R scale = R(1) / (to.distance * to.distance);
-        share = scaled(share, min(scale, R(light.falloff_limit)));
-    }
-    return share;
+    const auto arriving = as<Radiance<R>>(spread<Radiance<R>>(light.power) * share);
+    if (!light.inverse_square) return arriving;
+    // A light on the surface itself: a large number instead of infinity, so that zero stays zero.
+    const auto falloff = min(inverse_square(to.distance), Inverse<R>(light.falloff_limit));
+    return product<Radiance<R>>(arriving, falloff);
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

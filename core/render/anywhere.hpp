@@ -16,74 +16,75 @@ namespace zerkalo::inline ZERKALO_ISA {
 /// Where rays start: the surface they leave (solid k, mirror kMaxSolids + m, or -1), its face, and the side.
 template <class R>
 struct Departure {
-    R id, face;
+    Index<R> id, face;
     Mask<R> inside;  // travelling inside the solid `id`
 };
 
 template <class R>
 struct AnyHit {
-    R t, id, face;
+    Length<R> t;
+    Index<R> id, face;
     Mask<R> from_inside;
-    R x, y, z;  // on a mirror, in its frame
+    Length<R> x, y, z;  // on a mirror, in its frame
 };
 
 template <class R>
-ZERKALO_INLINE void keep_convex(AnyHit<R>& best, const Span<FloatNumbers<R>>& span, const SolidPlan& solid,
-                                const Departure<R>& from, Mask<R> active, R t_min) {
-    const auto own = from.id == R(solid.id);
+ZERKALO_INLINE void keep_convex(AnyHit<R>& best, const Span<System<R>>& span, const SolidPlanFor<R>& solid,
+                                const Departure<R>& from, Mask<R> active, Length<R> t_min) {
+    const auto own = from.id == Index<R>(solid.id);
     const auto real = active & (span.entry <= span.exit) & ((!own) | from.inside);
     const auto enters = real & (!own) & (span.entry > t_min);
     const auto leaves = real & (!enters) & (span.exit > t_min);
-    const R t = select(enters, span.entry, span.exit);
+    const Length<R> t = select(enters, span.entry, span.exit);
     const auto nearer = (enters | leaves) & (t < best.t);
     best.t = select(nearer, t, best.t);
-    best.id = select(nearer, R(solid.id), best.id);
+    best.id = select(nearer, Index<R>(solid.id), best.id);
     best.face = select(nearer, select(enters, span.face_in, span.face_out), best.face);
     best.from_inside = select(nearer, Mask<R>(leaves), best.from_inside);
 }
 
 template <class R>
-ZERKALO_INLINE MeshSides<R> sides_open_to(const SolidPlan& solid, const Departure<R>& from) {
-    const auto own = from.id == R(solid.id);
-    return {Mask<R>((!own) | (!from.inside)), Mask<R>((!own) | from.inside), select(own, from.face, R(-1))};
+ZERKALO_INLINE MeshSides<R> sides_open_to(const SolidPlanFor<R>& solid, const Departure<R>& from) {
+    const auto own = from.id == Index<R>(solid.id);
+    return {Mask<R>((!own) | (!from.inside)), Mask<R>((!own) | from.inside), select(own, from.face, Index<R>(-1))};
 }
 
 template <class R>
-ZERKALO_INLINE void keep_mesh(AnyHit<R>& best, const Plan& plan, const SolidPlan& solid, Vec3<R> o, Vec3<R> d,
-                              const Departure<R>& from, Mask<R> active, R t_min) {
-    const TriangleData* triangles = plan.triangles + solid.mesh.first;
-    const MeshHit<R> hit = mesh_hit(triangles, solid.mesh.count, o, d, t_min, best.t, sides_open_to(solid, from));
+ZERKALO_INLINE void keep_mesh(AnyHit<R>& best, const PlanFor<R>& plan, const SolidPlanFor<R>& solid, Vec3<Length<R>> o,
+                              Vec3<Direction<R>> d, const Departure<R>& from, Mask<R> active, Length<R> t_min) {
+    const auto* triangles = plan.triangles + solid.mesh.first;
+    const MeshHit<R> hit = mesh_hit(triangles, solid.mesh.count, o, d, t_min, best.t, sides_open_to<R>(solid, from));
     const auto nearer = active & hit.hit;
     best.t = select(nearer, hit.t, best.t);
-    best.id = select(nearer, R(solid.id), best.id);
+    best.id = select(nearer, Index<R>(solid.id), best.id);
     best.face = select(nearer, hit.face, best.face);
     best.from_inside = select(nearer, hit.back, best.from_inside);
 }
 
 /// Lanes on a face that lies in the mirror's plane.
 template <class R>
-ZERKALO_INLINE Mask<R> flush_with(const MirrorPlan& mirror, R id, R face) {
-    auto flush = Mask<R>(false);
+ZERKALO_INLINE Mask<R> flush_with(const MirrorPlanFor<R>& mirror, Index<R> id, Index<R> face) {
+    auto flush = mask_of<R>(false);
     for (std::uint32_t left = mirror.flush; left != 0; left &= left - 1) {
         const int k = first_of(left);
-        flush = flush | ((id == R(float(k))) & (face == R(mirror.flush_face[k])));
+        flush = flush | ((id == index_of<R>(k)) & (face == Index<R>(mirror.flush_face[k])));
     }
     return flush;
 }
 
 /// Mirror m met by rays from anywhere, its own ones included. Solids win ties: only a smaller t counts.
 template <class R>
-ZERKALO_INLINE MirrorHit<FloatNumbers<R>> any_mirror_hit(const Plan& plan, int m, Vec3<R> o, Vec3<R> d,
-                                                         const Departure<R>& from, R t_min) {
-    using N = FloatNumbers<R>;
-    const MirrorPlan& mirror = plan.mirrors[m];
-    const auto own = from.id == R(float(kMaxSolids + m));
-    const Vec3<R> local_o = mirror_seen_from<N>(mirror.shape, o);
-    MirrorHit<N> hit = plane_or_curved(mirror, local_o, d, t_min);
+ZERKALO_INLINE MirrorHit<System<R>> any_mirror_hit(const PlanFor<R>& plan, int m, Vec3<Length<R>> o,
+                                                   Vec3<Direction<R>> d, const Departure<R>& from, Length<R> t_min) {
+    using N = System<R>;
+    const MirrorPlanFor<R>& mirror = plan.mirrors[m];
+    const auto own = from.id == index_of<R>(kMaxSolids + m);
+    const Vec3<Length<R>> local_o = mirror_seen_from<N>(mirror.shape, o);
+    MirrorHit<N> hit = plane_or_curved<R>(mirror, local_o, d, t_min);
     hit.hit = hit.hit & (!own);
-    if (mirror.flush != 0) hit.hit = hit.hit & (!flush_with(mirror, from.id, from.face));
+    if (mirror.flush != 0) hit.hit = hit.hit & (!flush_with<R>(mirror, from.id, from.face));
     if (mirror.curved && any(own)) {
-        const auto chord = own_chord_hit<N>(mirror.shape, local_o, in_mirror_axes(mirror.shape, d), R(0));
+        const auto chord = own_chord_hit<N>(mirror.shape, local_o, in_mirror_axes(mirror.shape, d), Length<R>(0));
         hit.hit = hit.hit | (own & chord.hit);
         hit.t = select(own, chord.t, hit.t);
         hit.x = select(own, chord.x, hit.x);
@@ -95,30 +96,33 @@ ZERKALO_INLINE MirrorHit<FloatNumbers<R>> any_mirror_hit(const Plan& plan, int m
 
 /// The nearest surface with t > t_min; t is infinite and id -1 where there is none.
 template <class R>
-ZERKALO_ONCE AnyHit<R> nearest_anywhere(const Plan& plan, CandidateMask candidates, Vec3<R> o, Vec3<R> d,
-                                        const Departure<R>& from, Mask<R> active, R t_min) {
-    AnyHit<R> best{far_away<R>(), R(-1), R(0), Mask<R>(false), R(0), R(0), R(0)};
+ZERKALO_ONCE AnyHit<R> nearest_anywhere(const PlanFor<R>& plan, CandidateMask candidates, Vec3<Length<R>> o,
+                                        Vec3<Direction<R>> d, const Departure<R>& from, Mask<R> active,
+                                        Length<R> t_min) {
+    using L = Length<R>;
+    AnyHit<R> best{far_away<L>(), Index<R>(-1), Index<R>(0), mask_of<R>(false), L(0), L(0), L(0)};
     for (CandidateMask left = solids_in(candidates); left != 0; left &= left - 1) {
         const int k = first_of(left);
-        const SolidPlan& solid = plan.solids[k];
+        const SolidPlanFor<R>& solid = plan.solids[k];
         // The others take no part: what rounding makes of a solid far beside them must not depend on their neighbours.
-        const Mask<R> near = plan.exact_plan ? active : Mask<R>(may_meet(solid, o, d, active));
+        const Mask<R> near = plan.exact_plan ? active : may_meet<R>(solid, o, d, active);
         if (none(near)) continue;
         if (solid.shape == ShapeKind::mesh) {
-            keep_mesh(best, plan, solid, o, d, from, near, t_min);
+            keep_mesh<R>(best, plan, solid, o, d, from, near, t_min);
         } else {
-            with_span<Faces::both>(plan, k, PointOrigin<R>{o}, d,
-                                   [&](const Span<FloatNumbers<R>>& span)
-                                       ZERKALO_INLINE_LAMBDA { keep_convex(best, span, solid, from, near, t_min); });
+            with_span<Faces::both, R>(
+                plan, k, PointOrigin<L>{o}, d, [&](const Span<System<R>>& span) ZERKALO_INLINE_LAMBDA {
+                    keep_convex<R>(best, span, solid, from, near, t_min);
+                });
         }
     }
     for (CandidateMask left = mirrors_in(candidates); left != 0; left &= left - 1) {
         const int m = first_of(left);
-        const auto hit = any_mirror_hit(plan, m, o, d, from, t_min);
+        const auto hit = any_mirror_hit<R>(plan, m, o, d, from, t_min);
         auto nearer = active & hit.hit & (hit.t < best.t);
-        if (plan.mirrors[m].flush != 0) nearer = nearer & (!flush_with(plan.mirrors[m], best.id, best.face));
+        if (plan.mirrors[m].flush != 0) nearer = nearer & (!flush_with<R>(plan.mirrors[m], best.id, best.face));
         best.t = select(nearer, hit.t, best.t);
-        best.id = select(nearer, R(float(kMaxSolids + m)), best.id);
+        best.id = select(nearer, index_of<R>(kMaxSolids + m), best.id);
         best.from_inside = best.from_inside & (!nearer);
         best.x = select(nearer, hit.x, best.x);
         best.y = select(nearer, hit.y, best.y);
@@ -129,47 +133,51 @@ ZERKALO_ONCE AnyHit<R> nearest_anywhere(const Plan& plan, CandidateMask candidat
 
 /// Lanes in which convex solid k stands between a spot and its light: a wall of it lies strictly between.
 template <class R>
-ZERKALO_INLINE Mask<R> hidden_by_walls(const Span<FloatNumbers<R>>& span, R distance, Mask<R> own, Mask<R> inside,
+ZERKALO_INLINE Mask<R> hidden_by_walls(const Span<System<R>>& span, Length<R> distance, Mask<R> own, Mask<R> inside,
                                        Mask<R> light_outside) {
-    const auto crosses = (span.entry <= span.exit) & (span.entry < distance) & (span.exit > R(0)) &
-                         ((span.entry > R(0)) | (span.exit < distance));
+    const auto zero = Length<R>(0);
+    const auto crosses = (span.entry <= span.exit) & (span.entry < distance) & (span.exit > zero) &
+                         ((span.entry > zero) | (span.exit < distance));
     return select(own, Mask<R>(inside & light_outside), Mask<R>(crosses));
 }
 
 /// As hide_by_solid(), for a spot on any side of any surface.
 template <class R>
-ZERKALO_INLINE void hide_anywhere(Mask<R>& visible, const Plan& plan, const LightPlan& light, int k, const ToLight<R>& to, Vec3<R> p,
-                                  const Departure<R>& spot) {
-    const SolidPlan& solid = plan.solids[k];
-    const auto own = spot.id == R(solid.id);
+ZERKALO_INLINE void hide_anywhere(Mask<R>& visible, const PlanFor<R>& plan, const LightPlanFor<R>& light, int k,
+                                  const ToLight<R>& to, Vec3<Length<R>> p, const Departure<R>& spot) {
+    const SolidPlanFor<R>& solid = plan.solids[k];
+    const auto own = spot.id == Index<R>(solid.id);
     if (solid.shape == ShapeKind::mesh) {
-        const auto hit = mesh_hit(plan.triangles + solid.mesh.first, solid.mesh.count, p, to.l, R(0), to.distance,
-                                  sides_open_to(solid, spot));
+        const auto hit = mesh_hit(plan.triangles + solid.mesh.first, solid.mesh.count, p, to.l, Length<R>(0), to.distance,
+                                  sides_open_to<R>(solid, spot));
         visible = visible & (!hit.hit);
     } else if (light.data.distant) {
         // Only the surface's own digits are good enough here: look from the spot towards the light.
-        with_span<Faces::none>(
-            plan, k, PointOrigin<R>{p}, to.l, [&](const Span<FloatNumbers<R>>& span) ZERKALO_INLINE_LAMBDA {
-                visible = visible & (!hidden_by_walls(span, to.distance, own, spot.inside, span.exit < to.distance));
+        with_span<Faces::none, R>(
+            plan, k, PointOrigin<Length<R>>{p}, to.l, [&](const Span<System<R>>& span) ZERKALO_INLINE_LAMBDA {
+                const auto ends = span.exit < to.distance;
+                visible = visible & (!hidden_by_walls<R>(span, to.distance, own, spot.inside, ends));
             });
     } else {
-        with_span<Faces::none>(
-            plan, k, light.origin, -to.l, [&](const Span<FloatNumbers<R>>& span) ZERKALO_INLINE_LAMBDA {
-                visible = visible & (!hidden_by_walls(span, to.distance, own, spot.inside, span.entry > R(0)));
+        with_span<Faces::none, R>(
+            plan, k, light.origin, -to.l, [&](const Span<System<R>>& span) ZERKALO_INLINE_LAMBDA {
+                const auto begins = span.entry > Length<R>(0);
+                visible = visible & (!hidden_by_walls<R>(span, to.distance, own, spot.inside, begins));
             });
     }
 }
 
 template <class R>
-ZERKALO_INLINE Mask<R> visible_anywhere(const Plan& plan, const LightPlan& light, CandidateMask blockers, const ToLight<R>& to,
-                                        Vec3<R> p, const Departure<R>& spot, Mask<R> lit) {
+ZERKALO_INLINE Mask<R> visible_anywhere(const PlanFor<R>& plan, const LightPlanFor<R>& light, CandidateMask blockers,
+                                        const ToLight<R>& to, Vec3<Length<R>> p, const Departure<R>& spot,
+                                        Mask<R> lit) {
     Mask<R> visible = lit;
     for (CandidateMask left = solids_in(blockers); left != 0; left &= left - 1) {
-        hide_anywhere(visible, plan, light, first_of(left), to, p, spot);
+        hide_anywhere<R>(visible, plan, light, first_of(left), to, p, spot);
         if (none(visible)) return visible;
     }
     for (CandidateMask left = mirrors_in(blockers); left != 0; left &= left - 1) {
-        const auto hit = any_mirror_hit(plan, first_of(left), p, to.l, spot, R(0));
+        const auto hit = any_mirror_hit<R>(plan, first_of(left), p, to.l, spot, Length<R>(0));
         visible = visible & (!(hit.hit & (hit.t < to.distance)));
     }
     return visible;

@@ -87,6 +87,15 @@ std::uint64_t blockers_between(const Scene& scene, const Surroundings& around, c
     return mask;
 }
 
+SharedBound shared_bound(const Point& light, const SolidPlan& solid, const Constants<FloatFormats>& to) {
+    const Point c = Point{solid.bound_centre.x, solid.bound_centre.y, solid.bound_centre.z} - to.seen(light);
+    const double radius = solid.bound_radius;
+    // Room for the rounding of a unit direction and of the products, a few 2^-24 each.
+    constexpr double kRoom = 0x1p-20;
+    const double beyond = dot(c, c) * (1 - kRoom) - radius * radius * (1 + kRoom);
+    return {rounded(c), float(beyond)};
+}
+
 }  // namespace
 
 PixelBounds whole_picture(const Viewpoint& eye) { return {0, 0, eye.width, eye.height}; }
@@ -116,10 +125,9 @@ PixelBounds bounds_of_ball(const Viewpoint& eye, const Ball& ball) {
     return bounds_of_slopes(eye, left, right, bottom, top);
 }
 
-void derive_bounds(const Scene& scene, const Viewpoint& eye, Plan& plan) {
+template <class F>
+void derive_bounds(const Scene& scene, const Viewpoint& eye, PlanOf<F>& plan) {
     Hull hull;
-    const bool one_plane =
-        scene.mirror_count == 1 && !(magnitude(scene.mirrors[0].curvature_radius) < kInfinity) && !plan.exact_plan;
     for (std::int32_t m = 0; m < scene.mirror_count; ++m) {
         hull_of(scene.mirrors[m], hull);
         plan.mirror_bounds.set(m, plan.exact_plan ? whole_picture(eye) : bounds_of_hull(eye, hull));
@@ -131,10 +139,20 @@ void derive_bounds(const Scene& scene, const Viewpoint& eye, Plan& plan) {
         plan.solid_bounds.set(k, plan.exact_plan ? whole_picture(eye)
                                  : ball          ? bounds_of_ball(eye, ball_of(scene, solid))
                                                  : bounds_of_hull(eye, hull));
+    }
+}
+
+void derive_image_bounds(const Scene& scene, const Viewpoint& eye, Plan& plan) {
+    Hull hull;
+    const bool one_plane =
+        scene.mirror_count == 1 && !(magnitude(scene.mirrors[0].curvature_radius) < kInfinity) && !plan.exact_plan;
+    for (std::int32_t k = 0; k < scene.solid_count; ++k) {
+        const Solid& solid = scene.solids[k];
         plan.image_bounds.set(k, whole_picture(eye));
         for (std::int32_t j = 0; j < scene.light_count; ++j) plan.shadow_bounds[j].set(k, whole_picture(eye));
         if (!one_plane) continue;
         const Mirror& mirror = scene.mirrors[0];
+        hull_of(scene, solid, hull);
         for (std::int32_t j = 0; j < scene.light_count; ++j) {
             plan.shadow_bounds[j].set(k, shadow_bounds(eye, mirror, scene.lights[j].position, hull));
             hull_of(scene, solid, hull);
@@ -142,27 +160,25 @@ void derive_bounds(const Scene& scene, const Viewpoint& eye, Plan& plan) {
         const Point n = unit(mirror.normal);
         for (std::int32_t c = 0; c < hull.count; ++c) hull.points[c] = mirrored(hull.points[c], mirror, n);
         const Ball image{mirrored(solid.position, mirror, n), solid.radius};
+        const bool ball = solid.kind == SolidKind::sphere;
         plan.image_bounds.set(k, ball ? bounds_of_ball(eye, image) : bounds_of_hull(eye, hull));
     }
 }
 
-SharedBound shared_bound(const Point& light, const SolidPlan& solid, const Point& origin) {
-    const Point c = Point{solid.bound_centre.x, solid.bound_centre.y, solid.bound_centre.z} - (light - origin);
-    const double radius = solid.bound_radius;
-    // Room for the rounding of a unit direction and of the products, a few 2^-24 each.
-    constexpr double kRoom = 0x1p-20;
-    const double beyond = dot(c, c) * (1 - kRoom) - radius * radius * (1 + kRoom);
-    return {rounded(c), float(beyond)};
+void derive_light_bounds(const Scene& scene, const Constants<FloatFormats>& to, Plan& plan) {
+    for (std::int32_t j = 0; j < scene.light_count; ++j) {
+        for (std::int32_t k = 0; k < scene.solid_count; ++k) {
+            plan.lights[j].bounds[k] = shared_bound(scene.lights[j].position, plan.solids[k], to);
+        }
+    }
 }
 
-void derive_blockers(const Scene& scene, const Surroundings& around, Plan& plan) {
+template <class F>
+void derive_blockers(const Scene& scene, const Surroundings& around, PlanOf<F>& plan) {
     const std::uint64_t everything =
         ((std::uint64_t{1} << scene.solid_count) - 1) | ((std::uint64_t{1} << scene.mirror_count) - 1) << kMaxSolids;
     for (std::int32_t j = 0; j < scene.light_count; ++j) {
         const Point& light = scene.lights[j].position;
-        for (std::int32_t k = 0; k < scene.solid_count; ++k) {
-            plan.lights[j].bounds[k] = shared_bound(light, plan.solids[k], plan.origin);
-        }
         for (std::int32_t k = 0; k < scene.solid_count; ++k) {
             std::uint64_t& mask = plan.solids[k].blockers.of_light[j];
             mask = plan.exact_plan ? everything : blockers_between(scene, around, light, around.solids[k]);
@@ -178,5 +194,10 @@ void derive_blockers(const Scene& scene, const Surroundings& around, Plan& plan)
         }
     }
 }
+
+template void derive_bounds(const Scene&, const Viewpoint&, Plan&);
+template void derive_bounds(const Scene&, const Viewpoint&, FixedPlan&);
+template void derive_blockers(const Scene&, const Surroundings&, Plan&);
+template void derive_blockers(const Scene&, const Surroundings&, FixedPlan&);
 
 }  // namespace zerkalo

@@ -28,10 +28,18 @@ PixelBounds bounds_of_hull(const Viewpoint& eye, const Hull& hull);
 /// Exact outline of a ball, rounded outwards to pixels.
 PixelBounds bounds_of_ball(const Viewpoint& eye, const Ball& ball);
 
-/// Fills plan.solid_bounds, mirror_bounds, image_bounds and shadow_bounds.
-void derive_bounds(const Scene& scene, const Viewpoint& eye, Plan& plan);
+/// Fills plan.solid_bounds and mirror_bounds.
+template <class F>
+void derive_bounds(const Scene& scene, const Viewpoint& eye, PlanOf<F>& plan);
 
-/// Fills the blockers and the bounds that the lights see, of solids and mirrors.
-void derive_blockers(const Scene& scene, const Surroundings& around, Plan& plan);
+/// Fills plan.image_bounds and shadow_bounds.
+void derive_image_bounds(const Scene& scene, const Viewpoint& eye, Plan& plan);
+
+/// Fills the blockers of solids and mirrors.
+template <class F>
+void derive_blockers(const Scene& scene, const Surroundings& around, PlanOf<F>& plan);
+
+/// Fills the bounds that the lights see.
+void derive_light_bounds(const Scene& scene, const Constants<FloatFormats>& to, Plan& plan);
 
 }  // namespace zerkalo

@@ -1,8 +1,7 @@
-// From what a person writes to what a kernel reads: one solid, one mirror, one light at a time, in double.
+// From what a person writes to what a kernel reads: one solid, one mirror, one light at a time, in double. `to` rounds.
 #pragma once
 
-#include "core/geometry/frame.hpp"
-#include "core/render/plan.hpp"
+#include "core/render/constants.hpp"
 
 namespace zerkalo {
 
@@ -29,7 +28,7 @@ Placement placement_of(const Solid& solid);
 struct FacePair {
     Vec3<double> n;
     double lo, hi;
-    float index;  // of the face, as kernels know it
+    std::int32_t index;  // of the face
 };
 
 /// The flat faces of a convex solid, at most kMaxSides + 1; returns how many. Not for meshes: none.
@@ -39,10 +38,13 @@ Ball ball_of(const Scene& scene, const Solid& solid);
 void hull_of(const Scene& scene, const Solid& solid, Hull& hull);
 
 /// Fills plan.solids[k] and the solid's share of the pools; `slabs`, `triangles`: pool entries in use, advanced.
-void derive_solid(const Scene& scene, std::int32_t k, std::int32_t& slabs, std::int32_t& triangles, Plan& plan);
+template <class F>
+void derive_solid(const Scene& scene, std::int32_t k, const Constants<F>& to, std::int32_t& slabs,
+                  std::int32_t& triangles, PlanOf<F>& plan);
 
-/// A lower bound of the distance from a place in the world to the solid's surface from outside; negative inside. Not for meshes.
-double clearance(const Plan& plan, const SolidPlan& solid, const Vec3<double>& world);
+/// A lower bound of the distance from p to the solid's surface from outside; negative inside. Not for meshes.
+template <class F>
+double clearance(const PlanOf<F>& plan, const SolidPlanOf<F>& solid, const Constants<F>& to, const Vec3<double>& p);
 
 /// Right, v, n of a mirror.
 struct MirrorFrame {
@@ -51,10 +53,16 @@ struct MirrorFrame {
 MirrorFrame frame_of(const Mirror& mirror);
 Ball ball_of(const Mirror& mirror);
 void hull_of(const Mirror& mirror, Hull& hull);
-void derive_mirror(const Mirror& mirror, const Rgb<double>& ambient, const Settings& settings,
-                   const Vec3<double>& origin, MirrorPlan& out);
+template <class F>
+void derive_mirror(const Mirror& mirror, const Rgb<double>& ambient, const Settings& settings, const Constants<F>& to,
+                   MirrorPlanOf<F>& out);
 
-LightData derive_light(const Light& light, const Vec3<double>& origin);
-SurfaceData derive_surface(const Material& material, const Rgb<double>& ambient);
+template <class F>
+LightDataOf<F> derive_light(const Light& light, const Constants<F>& to);
+template <class F>
+SurfaceDataOf<F> derive_surface(const Material& material, const Rgb<double>& ambient, const Constants<F>& to);
+
+/// Slope of a tube's side: what its radius gains per unit of height.
+double slope_of(const Solid& solid);
 
 }  // namespace zerkalo

@@ -4,13 +4,7 @@
 namespace zerkalo {
 namespace {
 
-constexpr double kLargestFloat = 0x1.fffffep+127;
 constexpr double kTailBound = 0x1p-11;  // share of a lobe's energy that culling may leave out
-
-Rgb<float> rounded_colour(const Rgb<double>& c) {
-    const auto saturated = [](double x) { return x < kBrightest ? float(x) : kBrightest; };
-    return {saturated(c.r), saturated(c.g), saturated(c.b)};
-}
 
 double larger(double a, double b) { return a > b ? a : b; }
 
@@ -22,13 +16,14 @@ double distance_from_axis(double u, double exponent) {
     return e > -kSeries ? -e * (1 + e / 2) : 1 - exponential(e);
 }
 
-LobeData lobe_of(const Mirror& mirror, std::int32_t samples) {
-    LobeData lobe{};
+template <class F>
+LobeDataOf<F> lobe_of(const Mirror& mirror, std::int32_t samples, const Constants<F>& to) {
+    LobeDataOf<F> lobe{};
     const double n = mirror.lobe_exponent;
     lobe.glossy = n < kInfinity;
     lobe.max_phong = mirror.lobe == Lobe::max_phong;
     if (!lobe.glossy) return lobe;
-    lobe.inverse_exponent = float(1 / (n + 1));
+    lobe.inverse_exponent = to.share(1 / (n + 1));
     const double widest = 0.5 / samples;
     // Room for the rounding of lattice and frame: both far below 2^-18.
     constexpr double kRoom = 0x1p-18;
@@ -37,19 +32,20 @@ LobeData lobe_of(const Mirror& mirror, std::int32_t samples) {
         return from_axis < 1 ? from_axis : 1.0;
     };
     const double cull = cone(larger(widest, kTailBound)), all = cone(widest);
-    lobe.cosine = float((1 - cull) * (1 - kRoom * kRoom));
-    lobe.sine = float(square_root(cull * (2 - cull)) * (1 + kRoom));
-    lobe.widest_sine = float(square_root(all * (2 - all)) * (1 + kRoom) + kRoom);
+    lobe.cosine = to.weight((1 - cull) * (1 - kRoom * kRoom));
+    lobe.sine = to.weight(square_root(cull * (2 - cull)) * (1 + kRoom));
+    lobe.widest_sine = to.weight(square_root(all * (2 - all)) * (1 + kRoom) + kRoom);
     return lobe;
 }
 
-BoundaryData boundary_of(const Boundary& b) {
-    BoundaryData out{};
+template <class F>
+BoundaryDataOf<F> boundary_of(const Boundary& b, const Constants<F>& to) {
+    BoundaryDataOf<F> out{};
     out.shape = b.shape;
-    out.half_width = float(b.width / 2), out.half_height = float(b.height / 2);
+    out.half_width = to.length(b.width / 2), out.half_height = to.length(b.height / 2);
     const bool disc = b.shape == BoundaryShape::disc;
-    out.inverse_a = float(disc ? 1 / b.radius : 2 / b.width);
-    out.inverse_b = float(disc ? 1 / b.radius : 2 / b.height);
+    out.inverse_a = to.inverse(disc ? 1 / b.radius : 2 / b.width);
+    out.inverse_b = to.inverse(disc ? 1 / b.radius : 2 / b.height);
     if (b.shape != BoundaryShape::polygon) return out;
     out.corner_count = b.corner_count;
     double twice_area = 0;
@@ -63,7 +59,7 @@ BoundaryData boundary_of(const Boundary& b) {
         const auto& q = b.corners[(k + 1) % b.corner_count];
         const double sense = twice_area > 0 ? 1 : -1;
         const double nx = sense * (q.y - p.y), ny = sense * (p.x - q.x);
-        out.edges[k] = {float(nx), float(ny), float(nx * p.x + ny * p.y)};
+        out.edges[k] = to.half_plane(nx, ny, nx * p.x + ny * p.y);
     }
     return out;
 }
@@ -77,22 +73,25 @@ double sagitta(const Mirror& mirror) {
 
 }  // namespace
 
-SurfaceData derive_surface(const Material& m, const Rgb<double>& ambient) {
+template <class F>
+SurfaceDataOf<F> derive_surface(const Material& m, const Rgb<double>& ambient, const Constants<F>& to) {
     const Rgb<double> white{m.specular, m.specular, m.specular};
-    return {rounded_colour(scaled(m.color * ambient, m.ambient)), rounded_colour(scaled(m.color, m.diffuse)),
-            rounded_colour(white), float(m.shininess < kLargestFloat ? m.shininess : kLargestFloat)};
+    return {to.radiance(scaled(m.color * ambient, m.ambient)), to.weight(scaled(m.color, m.diffuse)), to.weight(white),
+            to.exponent(m.shininess)};
 }
 
-LightData derive_light(const Light& light, const Point& origin) {
-    LightData out{};
-    out.position = rounded(light.position - origin);
-    out.power = rounded_colour(scaled(light.color, light.intensity));
+template <class F>
+LightDataOf<F> derive_light(const Light& light, const Constants<F>& to) {
+    LightDataOf<F> out{};
+    out.position = to.point(light.position);
     out.inverse_square = light.falloff == Falloff::inverse_square;
-    const double brightest = larger(out.power.r, larger(out.power.g, out.power.b));
-    const double falloff = brightest > 0 ? double{kBrightest} / brightest : kLargestFloat;
-    out.falloff_limit = float(falloff < kLargestFloat ? falloff : kLargestFloat);
+    const Rgb<double> power = scaled(light.color, light.intensity);
+    out.power = to.power(power, out.inverse_square);
+    const Rgb<float> rounded = Constants<FloatFormats>{}.weight(power);
+    const double brightest = larger(rounded.r, larger(rounded.g, rounded.b));
+    out.falloff_limit = to.inverse(brightest > 0 ? double{kBrightest} / brightest : kInfinity);
     // (1 - x)^n <= e^(-n x): beyond this n x the highlight is below 2^-24 of full brightness.
-    out.highlight_limit = out.inverse_square ? float(kLargestFloat) : float(natural_log(larger(1, brightest) * 0x1p24));
+    out.highlight_limit = to.exponent(out.inverse_square ? kInfinity : natural_log(larger(1, brightest) * 0x1p24));
     return out;
 }
 
@@ -126,28 +125,39 @@ void hull_of(const Mirror& mirror, Hull& hull) {
     add(-x, -y), add(x, -y), add(-x, y), add(x, y);
 }
 
-void derive_mirror(const Mirror& mirror, const Rgb<double>& ambient, const Settings& settings, const Point& origin,
-                   MirrorPlan& out) {
-    out = MirrorPlan{};
+template <class F>
+void derive_mirror(const Mirror& mirror, const Rgb<double>& ambient, const Settings& settings, const Constants<F>& to,
+                   MirrorPlanOf<F>& out) {
+    out = MirrorPlanOf<F>{};
     const MirrorFrame frame = frame_of(mirror);
-    out.shape.vertex = rounded(mirror.position - origin);
-    out.shape.right = rounded(frame.right), out.shape.v = rounded(frame.v), out.shape.n = rounded(frame.n);
-    out.shape.kappa = float(1 / mirror.curvature_radius);
-    out.shape.boundary = boundary_of(mirror.boundary);
-    out.curved = out.shape.kappa != 0;
-    out.lobe = lobe_of(mirror, settings.samples);
+    out.shape.vertex = to.point(mirror.position);
+    out.shape.right = to.direction(frame.right), out.shape.v = to.direction(frame.v);
+    out.shape.n = to.direction(frame.n);
+    out.shape.kappa = to.curvature(1 / mirror.curvature_radius);
+    out.shape.boundary = boundary_of(mirror.boundary, to);
+    out.curved = out.shape.kappa != typename F::Curvature(0);
+    out.lobe = lobe_of(mirror, settings.samples, to);
 
     const bool shines = mirror.shininess != kShininessOfLobe || mirror.lobe_exponent < kInfinity;
     Material m;
     m.color = mirror.color;
     m.ambient = mirror.ambient, m.diffuse = mirror.diffuse, m.specular = shines ? mirror.specular : 0;
     m.shininess = mirror.shininess != kShininessOfLobe ? mirror.shininess : shines ? mirror.lobe_exponent : 0;
-    out.front = derive_surface(m, ambient);
-    out.front.specular = rounded_colour(scaled(mirror.color, m.specular));
+    out.front = derive_surface(m, ambient, to);
+    out.front.specular = to.weight(scaled(mirror.color, m.specular));
     out.back = out.front;
-    out.back.specular = {0, 0, 0};
-    out.reflectance = rounded_colour(scaled(mirror.color, mirror.reflection));
+    out.back.specular = to.weight(Rgb<double>{0, 0, 0});
+    out.reflectance = to.weight(scaled(mirror.color, mirror.reflection));
     out.reflects = settings.depth_limit > 0 && mirror.reflection > 0;
 }
+
+template SurfaceData derive_surface(const Material&, const Rgb<double>&, const Constants<FloatFormats>&);
+template SurfaceDataOf<FixedFormats> derive_surface(const Material&, const Rgb<double>&, const Constants<FixedFormats>&);
+template LightData derive_light(const Light&, const Constants<FloatFormats>&);
+template LightDataOf<FixedFormats> derive_light(const Light&, const Constants<FixedFormats>&);
+template void derive_mirror(const Mirror&, const Rgb<double>&, const Settings&, const Constants<FloatFormats>&,
+                            MirrorPlan&);
+template void derive_mirror(const Mirror&, const Rgb<double>&, const Settings&, const Constants<FixedFormats>&,
+                            MirrorPlanOf<FixedFormats>&);
 
 }  // namespace zerkalo

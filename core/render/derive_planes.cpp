@@ -19,7 +19,8 @@ Height height_over(const Mirror& mirror, const Point& p) {
 }
 
 /// A light in the plane lights neither side, and the mirror does not stand between it and anything.
-void derive_lights(const Scene& scene, std::int32_t m, Plan& plan) {
+template <class F>
+void derive_lights(const Scene& scene, std::int32_t m, PlanOf<F>& plan) {
     const std::uint64_t mirror_bit = std::uint64_t{1} << (kMaxSolids + m);
     for (std::int32_t j = 0; j < scene.light_count; ++j) {
         const Height height = height_over(scene.mirrors[m], scene.lights[j].position);
@@ -33,7 +34,8 @@ void derive_lights(const Scene& scene, std::int32_t m, Plan& plan) {
 }
 
 /// The face of solid k in the plane of mirror m, if it has one; whether it looks to the camera's side of the mirror.
-bool derive_flush_face(const Scene& scene, std::int32_t m, std::int32_t k, MirrorPlan& out) {
+template <class F>
+bool derive_flush_face(const Scene& scene, std::int32_t m, std::int32_t k, MirrorPlanOf<F>& out) {
     const Mirror& mirror = scene.mirrors[m];
     const Point n = unit(mirror.normal), middle = placement_of(scene.solids[k]).middle;
     FacePair faces[kMaxSides + 1];
@@ -45,7 +47,7 @@ bool derive_flush_face(const Scene& scene, std::int32_t m, std::int32_t k, Mirro
             if (!(magnitude(side) < kInfinity)) continue;
             if (!height_over(mirror, middle + faces[f].n * side).none) continue;
             out.flush |= 1u << k;
-            out.flush_face[k] = faces[f].index;
+            out.flush_face[k] = typename F::Index(faces[f].index);
             const bool outward_is_front = (dot(faces[f].n, n) > 0) == (side == faces[f].hi);
             return outward_is_front == (camera > 0);
         }
@@ -55,7 +57,8 @@ bool derive_flush_face(const Scene& scene, std::int32_t m, std::int32_t k, Mirro
 
 }  // namespace
 
-void derive_planes(const Scene& scene, Plan& plan) {
+template <class F>
+void derive_planes(const Scene& scene, PlanOf<F>& plan) {
     for (std::int32_t m = 0; m < scene.mirror_count; ++m) {
         if (!is_plane(scene.mirrors[m])) continue;
         derive_lights(scene, m, plan);
@@ -64,5 +67,8 @@ void derive_planes(const Scene& scene, Plan& plan) {
         }
     }
 }
+
+template void derive_planes(const Scene&, Plan&);
+template void derive_planes(const Scene&, FixedPlan&);
 
 }  // namespace zerkalo

@@ -7,6 +7,7 @@ namespace zerkalo {
 
 /// After derive_blockers(). Fills `unlit_by` of plane mirrors, `flush` and `flush_face`; takes mirrors that a light
 /// lies in out of its blockers; sets kFeatureFlush where the camera can see a face in a mirror's plane.
-void derive_planes(const Scene& scene, Plan& plan);
+template <class F>
+void derive_planes(const Scene& scene, PlanOf<F>& plan);
 
 }  // namespace zerkalo

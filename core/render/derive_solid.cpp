@@ -3,6 +3,8 @@
 namespace zerkalo {
 namespace {
 
+constexpr double kReachRoom = 0x1p-10;
+
 bool is_tube(const Solid& solid) { return solid.kind == SolidKind::cylinder || solid.kind == SolidKind::cone; }
 
 Point mesh_corner(const Solid& solid, const Point& p) {
@@ -23,7 +25,7 @@ struct FaceWriter {
     std::int32_t count = 0;
 
     void add(const Point& n, double lo, double hi) {
-        next[count] = {n, lo, hi, float(count)};
+        next[count] = {n, lo, hi, count};
         ++count;
     }
 };
@@ -84,43 +86,55 @@ void write_pyramid(const Solid& solid, const Placement& at, FaceWriter& out) {
     out.add(at.axis_y, -solid.height / 2, lid);
 }
 
-void write_half_spaces(const Solid& solid, const Placement& at, std::int32_t first, Plan& plan, HalfSpacesData& out) {
+template <class F>
+void write_half_spaces(const Solid& solid, const Placement& at, const Constants<F>& to, std::int32_t first,
+                       PlanOf<F>& plan, HalfSpacesDataOf<F>& out) {
     FacePair faces[kMaxSides + 1];
     const std::int32_t count = faces_of(solid, faces);
-    out = {rounded(at.middle - plan.origin), first, count, {}};
+    out = {to.point(at.middle), first, count, {}};
     for (std::int32_t s = 0; s < count; ++s) {
-        const Vec3<float> n = rounded(faces[s].n);
-        plan.slabs[first + s] = {n, float(faces[s].lo), float(faces[s].hi), faces[s].index};
+        const auto n = to.direction(faces[s].n);
+        plan.slabs[first + s] = {n, to.length(faces[s].lo), to.length(faces[s].hi), typename F::Index(faces[s].index)};
         if (s < kListedFaces) out.normals.x[s] = n.x, out.normals.y[s] = n.y, out.normals.z[s] = n.z;
     }
 }
 
-TubeData tube_of(const Solid& solid, const Placement& at, const Point& origin) {
-    const double slope = (top_radius(solid) - solid.radius) / solid.height;
-    TubeData tube{};
-    tube.centre = rounded(at.middle - origin);
+template <class F>
+TubeDataOf<F> tube_of(const Solid& solid, const Placement& at, const Constants<F>& to) {
+    const double slope = slope_of(solid);
+    TubeDataOf<F> tube{};
+    tube.centre = to.point(at.middle);
     // Around its own axis a tube looks the same from all sides: an upright one needs no rotation.
     tube.upright = at.axis_y.x == 0 && at.axis_y.z == 0 && at.axis_y.y == 1;
-    tube.axis_x = rounded(at.axis_x), tube.axis_y = rounded(at.axis_y), tube.axis_z = rounded(at.axis_z);
-    tube.mid_radius = float((solid.radius + top_radius(solid)) / 2);
-    tube.slope = float(slope);
-    tube.half_height = float(solid.height / 2);
-    tube.normal_scale = float(1 / length({1, slope, 0}));
-    tube.tapered = tube.slope != 0;
+    tube.axis_x = to.direction(at.axis_x), tube.axis_y = to.direction(at.axis_y);
+    tube.axis_z = to.direction(at.axis_z);
+    tube.mid_radius = to.length((solid.radius + top_radius(solid)) / 2);
+    tube.slope = to.ratio(slope);
+    tube.half_height = to.length(solid.height / 2);
+    tube.normal_scale = to.direction({1 / length({1, slope, 0}), 0, 0}).x;
+    tube.tapered = tube.slope != typename F::Ratio(0);
+    if constexpr (F::kFixed) {
+        const double widest = solid.radius > top_radius(solid) ? solid.radius : top_radius(solid);
+        const double reach = length({widest, solid.height / 2, 0}) * (1 + kReachRoom);
+        tube.reach2 = to.area(reach * reach);
+    }
     return tube;
 }
 
-MeshData write_mesh(const Scene& scene, const Solid& solid, std::int32_t first, Plan& plan) {
+template <class F>
+MeshData write_mesh(const Scene& scene, const Solid& solid, const Constants<F>& to, std::int32_t first,
+                    TriangleDataOf<F>* out) {
     for (std::int32_t k = 0; k < solid.triangle_count; ++k) {
         const Triangle& t = scene.triangles[solid.first_triangle + k];
         const Point a = mesh_corner(solid, t.a), b = mesh_corner(solid, t.b), c = mesh_corner(solid, t.c);
-        plan.triangles[first + k] = {rounded(a - plan.origin), rounded(b - a), rounded(c - a),
-                                     rounded(unit(cross(b - a, c - a)))};
+        out[first + k] = {to.point(a), to.way(b - a), to.way(c - a), to.direction(unit(cross(b - a, c - a)))};
     }
     return {first, solid.triangle_count};
 }
 
 }  // namespace
+
+double slope_of(const Solid& solid) { return (top_radius(solid) - solid.radius) / solid.height; }
 
 Placement placement_of(const Solid& solid) {
     Placement at;
@@ -199,56 +213,68 @@ Ball ball_of(const Scene& scene, const Solid& solid) {
     return {at.middle + at.axis_y * (y - h / 2), to_base > to_top ? to_base : to_top};
 }
 
-void derive_solid(const Scene& scene, std::int32_t k, std::int32_t& slabs, std::int32_t& triangles, Plan& plan) {
+template <class F>
+void derive_solid(const Scene& scene, std::int32_t k, const Constants<F>& to, std::int32_t& slabs,
+                  std::int32_t& triangles, PlanOf<F>& plan) {
     const Solid& solid = scene.solids[k];
     const Placement at = placement_of(solid);
-    SolidPlan& out = plan.solids[k];
-    out = SolidPlan{};
-    out.id = float(k);
+    SolidPlanOf<F>& out = plan.solids[k];
+    out = SolidPlanOf<F>{};
+    out.id = typename F::Index(k);
     if (solid.kind == SolidKind::sphere) {
         out.shape = ShapeKind::sphere;
-        const Vec3<float> centre = rounded(solid.position - plan.origin);
-        out.sphere = {centre, float(solid.radius * solid.radius), float(1 / solid.radius)};
+        out.sphere = {to.point(solid.position), to.area(solid.radius * solid.radius), to.inverse(1 / solid.radius)};
     } else if (is_tube(solid)) {
         out.shape = ShapeKind::tube;
-        out.tube = tube_of(solid, at, plan.origin);
+        out.tube = tube_of(solid, at, to);
     } else if (solid.kind == SolidKind::mesh) {
         out.shape = ShapeKind::mesh;
-        out.mesh = write_mesh(scene, solid, triangles, plan);
+        out.mesh = write_mesh(scene, solid, to, triangles, plan.triangles);
         triangles += solid.triangle_count;
     } else {
         out.shape = ShapeKind::half_spaces;
-        write_half_spaces(solid, at, slabs, plan, out.half_spaces);
+        write_half_spaces(solid, at, to, slabs, plan, out.half_spaces);
         slabs += out.half_spaces.slab_count;
     }
     const Material& m = solid.material;
-    out.surface = derive_surface(m, scene.ambient);
-    out.transport = {float(m.reflection), float(m.transmission), float(1 / m.refractive_index),
-                     float(m.refractive_index), m.fresnel};
+    out.surface = derive_surface(m, scene.ambient, to);
+    out.transport = {to.weight(m.reflection), to.weight(m.transmission), to.ratio(1 / m.refractive_index),
+                     to.ratio(m.refractive_index), m.fresnel};
 }
 
-double clearance(const Plan& plan, const SolidPlan& solid, const Vec3<double>& world) {
-    const Point p = world - plan.origin;
+template <class F>
+double clearance(const PlanOf<F>& plan, const SolidPlanOf<F>& solid, const Constants<F>& to, const Vec3<double>& p) {
     if (solid.shape == ShapeKind::sphere) {
-        return length(p - solid.sphere.centre) - square_root(double(solid.sphere.radius2));
+        const double radius2 = to.number_of(solid.sphere.radius2);
+        return length(p - to.point_of(solid.sphere.centre)) - to.unscaled(square_root(radius2));
     }
     if (solid.shape == ShapeKind::tube) {
-        const TubeData& tube = solid.tube;
-        const Point f = p - tube.centre;
-        const double y = dot(tube.axis_y, f);
-        const double across = length(cross(f, tube.axis_y));
-        const double caps = magnitude(y) - tube.half_height;
-        const double side = (across - (tube.mid_radius + double(tube.slope) * y)) * tube.normal_scale;
+        const TubeDataOf<F>& tube = solid.tube;
+        const Point f = p - to.point_of(tube.centre), axis = to.direction_of(tube.axis_y);
+        const double y = dot(axis, f);
+        const double across = length(cross(f, axis));
+        const double caps = magnitude(y) - to.length_of(tube.half_height);
+        const double radius = to.length_of(tube.mid_radius) + to.number_of(tube.slope) * y;
+        const double side = (across - radius) * to.number_of(tube.normal_scale);
         return caps > side ? caps : side;
     }
     double farthest = -kInfinity;
     for (std::int32_t s = 0; s < solid.half_spaces.slab_count; ++s) {
-        const Slab& slab = plan.slabs[solid.half_spaces.first_slab + s];
-        const double along = dot(slab.n, p - solid.half_spaces.centre);
-        if (along - slab.hi > farthest) farthest = along - slab.hi;
-        if (slab.lo - along > farthest) farthest = slab.lo - along;
+        const SlabOf<F>& slab = plan.slabs[solid.half_spaces.first_slab + s];
+        const double along = dot(to.direction_of(slab.n), p - to.point_of(solid.half_spaces.centre));
+        const double hi = to.length_of(slab.hi), lo = to.length_of(slab.lo);
+        if (along - hi > farthest) farthest = along - hi;
+        if (lo - along > farthest) farthest = lo - along;
     }
     return farthest;
 }
+
+template void derive_solid(const Scene&, std::int32_t, const Constants<FloatFormats>&, std::int32_t&, std::int32_t&,
+                           Plan&);
+template void derive_solid(const Scene&, std::int32_t, const Constants<FixedFormats>&, std::int32_t&, std::int32_t&,
+                           FixedPlan&);
+template double clearance(const Plan&, const SolidPlan&, const Constants<FloatFormats>&, const Vec3<double>&);
+template double clearance(const FixedPlan&, const SolidPlanOf<FixedFormats>&, const Constants<FixedFormats>&,
+                          const Vec3<double>&);
 
 }  // namespace zerkalo

@@ -56,8 +56,8 @@ constexpr FeatureName kFeatureNames[] = {
     {kFeatureFlush, "flush"},
 };
 
-std::int32_t tiles_across(const Plan& plan) { return (plan.width + kTileSide - 1) / kTileSide; }
-std::int32_t tiles_down(const Plan& plan) { return (plan.height + kTileSide - 1) / kTileSide; }
+std::int32_t tiles_across(const PlanHead& plan) { return (plan.width + kTileSide - 1) / kTileSide; }
+std::int32_t tiles_down(const PlanHead& plan) { return (plan.height + kTileSide - 1) / kTileSide; }
 
 }  // namespace
 
@@ -92,16 +92,18 @@ TileFunction kernel_for(const Plan& plan, Isa isa) {
     return table.kernels[plan.features & kFeatureGlossy ? kKernelGlossy : kKernelSharp];
 }
 
-int tile_count(const Plan& plan) { return tiles_across(plan) * tiles_down(plan); }
+FixedTileFunction kernel_for(const FixedPlan&, Isa) { return kFixedKernel_scalar; }
 
-Rect tile_at(const Plan& plan, int index) {
+int tile_count(const PlanHead& plan) { return tiles_across(plan) * tiles_down(plan); }
+
+Rect tile_at(const PlanHead& plan, int index) {
     const std::int32_t left = index % tiles_across(plan) * kTileSide;
     const std::int32_t top = index / tiles_across(plan) * kTileSide;
     const std::int32_t width = plan.width - left, height = plan.height - top;
     return {left, top, width < kTileSide ? width : kTileSide, height < kTileSide ? height : kTileSide};
 }
 
-int feature_names(const Plan& plan, const char** names, int capacity) {
+int feature_names(const PlanHead& plan, const char** names, int capacity) {
     int count = 0;
     for (const FeatureName& feature : kFeatureNames) {
         if ((plan.features & feature.bit) && count < capacity) names[count++] = feature.name;

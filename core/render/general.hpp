@@ -1,8 +1,8 @@
 // The kernel for every scene: chains and trees of rays, curved mirrors, meshes, cameras anywhere (render/trace.hpp).
 #pragma once
 
+#include "core/render/fixed_tile.hpp"
 #include "core/render/render.hpp"
-#include "core/render/tile.hpp"
 #include "core/render/trace.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
@@ -10,25 +10,26 @@ namespace zerkalo::inline ZERKALO_ISA {
 template <class R>
 ZERKALO_INLINE PathPacket<R> no_continuation(const PathPacket<R>& ray) {
     PathPacket<R> next = ray;
-    next.active = Mask<R>(false);
+    next.active = mask_of<R>(false);
     next.depth = ray.depth + 1;
     return next;
 }
 
 /// What the rays of one packet see; their continuations go onto the stack, jobs last.
 template <class R>
-ZERKALO_INLINE void trace_one(const Plan& plan, const PathPacket<R>& ray, CandidateMask candidates, R t_min,
-                              const PathKey<R>& key, PathStack<R>& stack, Rgb<R>& sum, TileCounts& counts) {
-    const AnyHit<R> hit = nearest_anywhere(plan, candidates, ray.o, ray.d, ray.from, ray.active, t_min);
-    const auto hits = ray.active & (hit.id >= R(0));
-    add(sum, Mask<R>(ray.active & (!hits)), ray.throughput, spread<R>(plan.background));
+ZERKALO_INLINE void trace_one(const PlanFor<R>& plan, const PathPacket<R>& ray, CandidateMask candidates,
+                              Length<R> t_min, const PathKey<R>& key, PathStack<R>& stack, Rgb<LightSum<R>>& sum,
+                              TileCounts& counts) {
+    const AnyHit<R> hit = nearest_anywhere<R>(plan, candidates, ray.o, ray.d, ray.from, ray.active, t_min);
+    const auto hits = ray.active & (hit.id >= Index<R>(0));
+    add<R>(sum, ray.active & (!hits), ray.throughput, spread<Radiance<R>>(plan.background));
     if (none(hits)) return;
     const PathPacket<R> fresh = no_continuation(ray);
     Continuations<R> next{fresh, fresh, fresh};
     next.job.is_job = true;
     next.job.sample = 0;
-    shade_solids(plan, ray, hit, candidates, sum, next, counts);
-    shade_mirrors(plan, ray, hit, candidates, key, sum, next, counts);
+    shade_solids<R>(plan, ray, hit, candidates, sum, next, counts);
+    shade_mirrors<R>(plan, ray, hit, candidates, key, sum, next, counts);
     if (any(next.two.active)) stack.push(next.two);
     if (any(next.one.active)) stack.push(next.one);
     if (any(next.job.active)) stack.push(next.job);
@@ -37,8 +38,8 @@ ZERKALO_INLINE void trace_one(const Plan& plan, const PathPacket<R>& ray, Candid
 /// Takes the next packet of rays off the stack: a waiting one, or the next lattice ray of the job on top.
 /// Returns false where all rays of the job's step point below the horizon.
 template <class R>
-ZERKALO_INLINE bool next_packet(const Plan& plan, PathStack<R>& stack, const PathKey<R>& key, PathPacket<R>& ray,
-                                Rgb<R>& sum, TileCounts& counts) {
+ZERKALO_INLINE bool next_packet(const PlanFor<R>& plan, PathStack<R>& stack, const PathKey<R>& key, PathPacket<R>& ray,
+                                Rgb<LightSum<R>>& sum, TileCounts& counts) {
     PathPacket<R>& top = stack.packets[stack.count - 1];
     ray = top;
     if (!top.is_job) {
@@ -47,80 +48,82 @@ ZERKALO_INLINE bool next_packet(const Plan& plan, PathStack<R>& stack, const Pat
     }
     const std::int32_t s = top.sample++;
     if (top.sample == plan.samples) --stack.count;
-    const float u = (float(s) + 0.5f) / float(plan.samples);
-    const R turn = R(turn_of_phase<float>(static_cast<std::uint32_t>(s) * kGoldenTurn)) + key.turn;
-    const LobeRay<R> lobe = lobe_ray(lobe_point(R(u), turn, ray.inverse_exponent), ray.d, ray.n, ray.max_phong);
+    const auto turn = Phase<R>(phase_of<Uniform<R>>(static_cast<std::uint32_t>(s) * kGoldenTurn)) + key.turn;
+    const auto point = lobe_point(midpoint<R>(s, plan.samples), turn, ray.inverse_exponent);
+    const LobeRay<R> lobe = lobe_ray<R>(point, ray.d, ray.n, ray.max_phong);
     PathPacket<R> next = ray;
-    next.active = Mask<R>(false);
+    next.active = mask_of<R>(false);
     next.is_job = false;
     next.after_lobe = true;
     next.sample = s;
-    go_on_in_lobe(plan, lobe, ray.max_phong, ray.active, ray.o, ray.throughput, ray.from.id, next, sum, counts);
+    go_on_in_lobe<R>(plan, lobe, ray.max_phong, ray.active, ray.o, ray.throughput, ray.from.id, next, sum, counts);
     ray = next;
     return any(ray.active);
 }
 
 /// The light that comes along the camera rays of one packet.
 template <class R>
-ZERKALO_INLINE Rgb<R> trace_packet(const Plan& plan, const TileView& view, const CameraRay<R>& camera, Mask<R> active,
-                                   const PathKey<R>& key, PathStack<R>& stack, TileCounts& counts) {
-    const Vec3<R> zero = spread<R>(Vec3<float>{0, 0, 0});
-    Rgb<R> sum = spread<R>(Rgb<float>{0, 0, 0});
+ZERKALO_INLINE Rgb<LightSum<R>> trace_packet(const PlanFor<R>& plan, const TileView& view, const CameraRay<R>& camera,
+                                             Mask<R> active, const PathKey<R>& key, PathStack<R>& stack,
+                                             TileCounts& counts) {
+    using W = Weight<R>;
+    const Vec3<Direction<R>> zero = {Direction<R>(0), Direction<R>(0), Direction<R>(0)};
+    Rgb<LightSum<R>> sum{LightSum<R>(0), LightSum<R>(0), LightSum<R>(0)};
     const CandidateMask everything =
         first_bits(plan.solid_count) | first_bits(plan.mirror_count) << kMaxSolids;
-    const Departure<R> nowhere{R(-1), R(-1), Mask<R>(false)};
+    const Departure<R> nowhere{Index<R>(-1), Index<R>(-1), mask_of<R>(false)};
     stack.count = 0;
-    stack.push(PathPacket<R>{camera.o, camera.d, spread<R>(Rgb<float>{1, 1, 1}), nowhere, active, 0, false, false, 0,
-                             zero, R(0), Mask<R>(false)});
+    stack.push(PathPacket<R>{camera.o, camera.d, {W(1), W(1), W(1)}, nowhere, active, 0, false, false, 0, zero,
+                             Share<R>(0), mask_of<R>(false)});
     while (stack.count > 0) {
         PathPacket<R> ray;
-        if (!next_packet(plan, stack, key, ray, sum, counts)) continue;
+        if (!next_packet<R>(plan, stack, key, ray, sum, counts)) continue;
         const bool from_camera = ray.depth == 0;
-        trace_one(plan, ray, from_camera ? view.seen : everything, from_camera ? camera.t_min : R(0), key, stack, sum,
-                  counts);
+        trace_one<R>(plan, ray, from_camera ? view.seen : everything, from_camera ? camera.t_min : Length<R>(0), key,
+                     stack, sum, counts);
     }
     return sum;
 }
 
 template <class R>
-ZERKALO_INLINE PathKey<R> path_key(const Plan& plan, const Rect& tile, int first, std::uint32_t camera_sample) {
-    alignas(64) float turns[kWidth<R>];
+ZERKALO_INLINE PathKey<R> path_key(const PlanFor<R>& plan, const Rect& tile, int first, std::uint32_t camera_sample) {
+    alignas(64) Phase<Uniform<R>> turns[kWidth<R>];
     alignas(64) std::uint32_t pixels[kWidth<R>];
     const LatticeClasses classes = lattice_classes(tile_hash(plan, tile));
     for (int lane = 0; lane < kWidth<R>; ++lane) {
         const int x = (first + lane) % kTileSide, y = (first + lane) / kTileSide;
-        turns[lane] = turn_of_class(class_of_pixel(classes, first + lane), camera_sample, 0);
+        turns[lane] = phase_of<Uniform<R>>(phase_of_class(class_of_pixel(classes, first + lane), camera_sample, 0));
         pixels[lane] = static_cast<std::uint32_t>(tile.top + y) * static_cast<std::uint32_t>(plan.width) +
                        static_cast<std::uint32_t>(tile.left + x);
     }
-    return {load_bits<R>(pixels), camera_sample, load<R>(turns)};
+    return {load_bits<R>(pixels), camera_sample, load_phases<R>(turns)};
 }
 
-/// Renders one tile of any scene. R: the lanes.
+/// Renders one tile of any scene. R: the lanes, or the fixed-point system.
 template <class R>
-inline void render_tile_general(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
+inline void render_tile_general(const PlanFor<R>& plan, const Rect& tile, const LinearImage& image,
+                                RayCounts& counts) {
     counts.primary += static_cast<std::uint64_t>(tile.width) * static_cast<std::uint64_t>(tile.height) *
                       static_cast<std::uint64_t>(plan.antialias);
     const TileView view = view_of_tile<R>(plan, tile);
-    if (view.seen == 0) return fill_tile<R>(plan.background, plan.antialias, tile, image);
-    TileColours colours;
+    if (view.seen == 0) return fill_tile<R>(plan, tile, image);
+    TileColoursFor<R> colours;
     TileCounts tile_counts;
     PathStack<R> stack;
     for (std::int32_t a = 0; a < plan.antialias; ++a) {
-        const SubPixel at = sub_pixel(a, plan.antialias);
+        const auto at = sub_pixel<Uniform<R>>(a, plan.antialias);
         for (int first = 0; first < tile.height * kTileSide; first += kWidth<R>) {
             const PixelLanes<R> pixel = pixel_lanes<R>(tile, first);
             const auto active = lanes_inside<R>(tile, first);
             if (none(active)) continue;
             const PathKey<R> key = path_key<R>(plan, tile, first, static_cast<std::uint32_t>(a));
             put(colours, first,
-                trace_packet(plan, view, camera_ray(plan, pixel.x, pixel.y, at), Mask<R>(active), key, stack,
-                             tile_counts),
+                trace_packet<R>(plan, view, camera_ray<R>(plan, pixel.x, pixel.y, at), active, key, stack, tile_counts),
                 a > 0);
         }
     }
     if (plan.antialias > 1) average<R>(colours, plan.antialias);
-    write_tile<R>(colours, tile, image);
+    write_tile<R>(plan, colours, tile, image);
     counts.reflected += tile_counts.reflected;
     counts.lobe += tile_counts.lobe;
     counts.refracted += tile_counts.refracted;

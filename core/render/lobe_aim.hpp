@@ -164,7 +164,7 @@ ZERKALO_INLINE void with_candidate_span(const Plan& plan, const LobeCandidate<R>
     if (candidate.terms != nullptr) {
         with_hoisted_span(plan, *candidate.solid, candidate.terms, d, use);
     } else {
-        with_span<Faces::entry>(plan, candidate.k, PointOrigin<R>{p}, d, use);
+        with_span<Faces::entry, R>(plan, candidate.k, PointOrigin<R>{p}, d, use);
     }
 }
 

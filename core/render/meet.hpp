@@ -13,60 +13,70 @@
 
 namespace zerkalo::inline ZERKALO_ISA {
 
-/// One origin a lane.
+/// The plan that the kernels of a number system read, and its parts.
 template <class R>
+using PlanFor = PlanOf<Formats<R>>;
+template <class R>
+using SolidPlanFor = SolidPlanOf<Formats<R>>;
+template <class R>
+using MirrorPlanFor = MirrorPlanOf<Formats<R>>;
+template <class R>
+using LightPlanFor = LightPlanOf<Formats<R>>;
+
+/// One origin a lane.
+template <class L>
 struct PointOrigin {
-    Vec3<R> o;
+    Vec3<L> o;
 };
 
-template <class R>
-ZERKALO_INLINE auto sphere_origin(const SolidPlan&, int k, const SharedOrigin& origin) {
-    const SharedSolid& shared = origin.solids[k];
-    return SphereOrigin<FloatNumbers<float>>{shared.from, shared.c};
+template <class R, class F>
+ZERKALO_INLINE auto sphere_origin(const SolidPlanOf<F>&, int k, const SharedOriginOf<F>& origin) {
+    const SharedSolidOf<F>& shared = origin.solids[k];
+    return SphereOrigin<Uniform<R>>{shared.from, shared.c};
 }
-template <class R>
-ZERKALO_INLINE auto sphere_origin(const SolidPlan& solid, int, const PointOrigin<R>& origin) {
-    return sphere_seen_from<FloatNumbers<R>>(solid.sphere, origin.o);
+template <class R, class F>
+ZERKALO_INLINE auto sphere_origin(const SolidPlanOf<F>& solid, int, const PointOrigin<Length<R>>& origin) {
+    return sphere_seen_from<System<R>>(solid.sphere, origin.o);
 }
 
-template <class R>
-ZERKALO_INLINE auto tube_origin(const SolidPlan&, int k, const SharedOrigin& origin) {
+template <class R, class F>
+ZERKALO_INLINE auto tube_origin(const SolidPlanOf<F>&, int k, const SharedOriginOf<F>& origin) {
     return origin.solids[k].from;
 }
-template <class R>
-ZERKALO_INLINE auto tube_origin(const SolidPlan& solid, int, const PointOrigin<R>& origin) {
-    return tube_seen_from<FloatNumbers<R>>(solid.tube, origin.o);
+template <class R, class F>
+ZERKALO_INLINE auto tube_origin(const SolidPlanOf<F>& solid, int, const PointOrigin<Length<R>>& origin) {
+    return tube_seen_from<System<R>>(solid.tube, origin.o);
 }
 
-template <class R>
-ZERKALO_INLINE auto mirror_origin(const Plan&, int m, const SharedOrigin& origin) {
+template <class R, class F>
+ZERKALO_INLINE auto mirror_origin(const PlanOf<F>&, int m, const SharedOriginOf<F>& origin) {
     return origin.mirrors[m];
 }
-template <class R>
-ZERKALO_INLINE auto mirror_origin(const Plan& plan, int m, const PointOrigin<R>& origin) {
-    return mirror_seen_from<FloatNumbers<R>>(plan.mirrors[m].shape, origin.o);
+template <class R, class F>
+ZERKALO_INLINE auto mirror_origin(const PlanOf<F>& plan, int m, const PointOrigin<Length<R>>& origin) {
+    return mirror_seen_from<System<R>>(plan.mirrors[m].shape, origin.o);
 }
 
-template <Faces F, class R>
-ZERKALO_INLINE Span<FloatNumbers<R>> half_spaces_span(const Plan& plan, const HalfSpacesData& body,
-                                                      const SharedOrigin& origin, Vec3<R> d) {
-    Span<FloatNumbers<R>> span = whole_span<FloatNumbers<R>>();
-    const SharedSlab* shared = origin.slabs + body.first_slab;
-    const Slab* slabs = plan.slabs + body.first_slab;
+template <Faces F, class R, class G>
+ZERKALO_INLINE Span<System<R>> half_spaces_span(const PlanOf<G>& plan, const HalfSpacesDataOf<G>& body,
+                                                const SharedOriginOf<G>& origin, Vec3<Direction<R>> d) {
+    Span<System<R>> span = whole_span<System<R>>();
+    const SharedSlabOf<G>* shared = origin.slabs + body.first_slab;
+    const SlabOf<G>* slabs = plan.slabs + body.first_slab;
     for (std::int32_t s = 0; s < body.slab_count; ++s) {
-        clip<F>(span, slabs[s], SlabOrigin<FloatNumbers<float>>{shared[s].lo, shared[s].hi}, d);
+        clip<F>(span, slabs[s], SlabOrigin<Uniform<R>>{shared[s].lo, shared[s].hi}, d);
         if (none(span.entry <= span.exit)) break;
     }
     return span;
 }
-template <Faces F, class R>
-ZERKALO_INLINE Span<FloatNumbers<R>> half_spaces_span(const Plan& plan, const HalfSpacesData& body,
-                                                      const PointOrigin<R>& origin, Vec3<R> d) {
-    Span<FloatNumbers<R>> span = whole_span<FloatNumbers<R>>();
-    const Vec3<R> o = origin.o - body.centre;
-    const Slab* slabs = plan.slabs + body.first_slab;
+template <Faces F, class R, class G>
+ZERKALO_INLINE Span<System<R>> half_spaces_span(const PlanOf<G>& plan, const HalfSpacesDataOf<G>& body,
+                                                const PointOrigin<Length<R>>& origin, Vec3<Direction<R>> d) {
+    Span<System<R>> span = whole_span<System<R>>();
+    const Vec3<Length<R>> o = origin.o - body.centre;
+    const SlabOf<G>* slabs = plan.slabs + body.first_slab;
     for (std::int32_t s = 0; s < body.slab_count; ++s) {
-        clip<F>(span, slabs[s], slab_seen_from<FloatNumbers<R>>(slabs[s], o), d);
+        clip<F>(span, slabs[s], slab_seen_from<System<R>>(slabs[s], o), d);
         if (none(span.entry <= span.exit)) break;
     }
     return span;
@@ -75,13 +85,13 @@ ZERKALO_INLINE Span<FloatNumbers<R>> half_spaces_span(const Plan& plan, const Ha
 /// Hands `use` the span of convex solid k along unit directions d. Each shape has its own call of `use`: spans that
 /// meet in one place after the branch would travel through memory.
 template <Faces F, class R, class O, class Use>
-ZERKALO_INLINE void with_span(const Plan& plan, int k, const O& origin, Vec3<R> d, Use use) {
-    using N = FloatNumbers<R>;
-    const SolidPlan& solid = plan.solids[k];
+ZERKALO_INLINE void with_span(const PlanFor<R>& plan, int k, const O& origin, Vec3<Direction<R>> d, Use use) {
+    using N = System<R>;
+    const SolidPlanFor<R>& solid = plan.solids[k];
     if (solid.shape == ShapeKind::sphere) {
         use(sphere_span<N>(solid.sphere, sphere_origin<R>(solid, k, origin), d));
     } else if (solid.shape == ShapeKind::half_spaces) {
-        use(half_spaces_span<F>(plan, solid.half_spaces, origin, d));
+        use(half_spaces_span<F, R>(plan, solid.half_spaces, origin, d));
     } else if (solid.tube.tapered) {
         use(tube_span<true, F, N>(solid.tube, tube_origin<R>(solid, k, origin), d));
     } else {
@@ -91,9 +101,9 @@ ZERKALO_INLINE void with_span(const Plan& plan, int k, const O& origin, Vec3<R> 
 
 /// The nearest crossing of a mirror of either form with t > t_min. `local_o`: mirror_seen_from(origin).
 template <class R, class O>
-ZERKALO_INLINE MirrorHit<FloatNumbers<R>> plane_or_curved(const MirrorPlan& mirror, Vec3<O> local_o, Vec3<R> d,
-                                                          R t_min) {
-    using N = FloatNumbers<R>;
+ZERKALO_INLINE MirrorHit<System<R>> plane_or_curved(const MirrorPlanFor<R>& mirror, Vec3<O> local_o,
+                                                    Vec3<Direction<R>> d, Length<R> t_min) {
+    using N = System<R>;
     MirrorHit<N> hit;
     if (mirror.curved) {
         hit = curved_mirror_hit<N>(mirror.shape, local_o, in_mirror_axes(mirror.shape, d), t_min);
@@ -105,17 +115,31 @@ ZERKALO_INLINE MirrorHit<FloatNumbers<R>> plane_or_curved(const MirrorPlan& mirr
 
 /// Lanes whose ray comes near the solid's bounding sphere. Conservative: without the others nothing is missed.
 template <class R>
-ZERKALO_INLINE Mask<R> may_meet(const SolidPlan& solid, Vec3<R> o, Vec3<R> d, Mask<R> active) {
-    const Vec3<R> f = o - solid.bound_centre;
-    const Vec3<R> l = f - d * dot(f, d);
-    return active & (dot(l, l) <= R(solid.bound_radius * solid.bound_radius));
+ZERKALO_INLINE Mask<R> may_meet(const SolidPlanFor<R>& solid, Vec3<Length<R>> o, Vec3<Direction<R>> d, Mask<R> active) {
+    using L = Length<R>;
+    const Vec3<L> f = o - solid.bound_centre;
+    const Vec3<L> l = f - as<L>(d * as<L>(dot(f, d)));
+    return active & (dot(l, l) <= Area<R>(solid.bound_radius * solid.bound_radius));
+}
+
+/// n, turned against d. At exactly 0 either side is right.
+template <class R>
+ZERKALO_INLINE Vec3<R> turned_against(Vec3<R> n, Vec3<R> d) {
+    const Bits<R> flip = opposite_sign(dot(n, d));
+    return {from_bits(to_bits(n.x) ^ flip), from_bits(to_bits(n.y) ^ flip), from_bits(to_bits(n.z) ^ flip)};
+}
+template <class A, int F>
+ZERKALO_INLINE Vec3<Fixed<A, F>> turned_against(Vec3<Fixed<A, F>> n, Vec3<Fixed<A, F>> d) {
+    const auto along = dot(n, d);
+    return select(along < decltype(along)(0), n, -n);
 }
 
 /// Unit normal at a point of a solid, turned against d (towards where the ray comes from), in the lanes of `here`.
 template <class R>
-ZERKALO_INLINE Vec3<R> normal_towards(const Plan& plan, const SolidPlan& solid, Vec3<R> p, R face, Vec3<R> d,
-                                      Mask<R> here) {
-    Vec3<R> n;
+ZERKALO_INLINE Vec3<Direction<R>> normal_towards(const PlanFor<R>& plan, const SolidPlanFor<R>& solid,
+                                                 Vec3<Length<R>> p, Index<R> face, Vec3<Direction<R>> d, Mask<R> here) {
+    using D = Direction<R>;
+    Vec3<D> n;
     if (solid.shape == ShapeKind::sphere) {
         n = sphere_normal(solid.sphere, p);
     } else if (solid.shape == ShapeKind::tube) {
@@ -123,16 +147,14 @@ ZERKALO_INLINE Vec3<R> normal_towards(const Plan& plan, const SolidPlan& solid, 
     } else if (solid.shape == ShapeKind::half_spaces) {
         n = half_spaces_normal<R>(solid.half_spaces, plan.slabs + solid.half_spaces.first_slab, face, here);
     } else {
-        n = spread<R>(Vec3<float>{0, 1, 0});
-        const TriangleData* triangles = plan.triangles + solid.mesh.first;
+        n = {D(0), D(1), D(0)};
+        const auto* triangles = plan.triangles + solid.mesh.first;
         for (std::int32_t s = 0; s < solid.mesh.count; ++s) {
-            const auto on_face = here & (face == R(float(s)));
-            if (any(on_face)) n = select(on_face, spread<R>(triangles[s].normal), n);
+            const auto on_face = here & (face == index_of<R>(s));
+            if (any(on_face)) n = select(on_face, spread<D>(triangles[s].normal), n);
         }
     }
-    // Flip where the normal points along the ray; at exactly 0 either side is right.
-    const Bits<R> flip = opposite_sign(dot(n, d));
-    return {from_bits(to_bits(n.x) ^ flip), from_bits(to_bits(n.y) ^ flip), from_bits(to_bits(n.z) ^ flip)};
+    return turned_against(n, d);
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

@@ -86,7 +86,7 @@ inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const Lin
     counts.primary += static_cast<std::uint64_t>(tile.width) * static_cast<std::uint64_t>(tile.height) *
                       static_cast<std::uint64_t>(plan.antialias);
     TileView view = view_of_tile<R>(plan, tile);
-    if (view.seen == 0) return fill_tile<R>(plan.background, plan.antialias, tile, image);
+    if (view.seen == 0) return fill_tile<R>(plan, tile, image);
     TileColours colours;
     TileCounts tile_counts;
     GlossQueues queues;
@@ -95,7 +95,7 @@ inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const Lin
     if (Glossy && mirrors_in(view.seen) != 0) view.in_lobe = candidates_of_tile<R>(plan, tile);
     const bool whole = tile.width == kTileSide && tile.height == kTileSide;
     for (std::int32_t a = 0; a < plan.antialias; ++a) {
-        const SubPixel at = sub_pixel(a, plan.antialias);
+        const SubPixel at = sub_pixel<float>(a, plan.antialias);
         TileColumns<R> columns;
         fill_columns(columns, plan, tile, at);
         for (int first = 0; first < tile.height * kTileSide; first += kWidth<R>) {
@@ -117,7 +117,7 @@ inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const Lin
         }
     }
     if (plan.antialias > 1) average<R>(colours, plan.antialias);
-    write_tile<R>(colours, tile, image);
+    write_tile<R>(plan, colours, tile, image);
     counts.reflected += tile_counts.reflected;
     counts.lobe += tile_counts.lobe;
     counts.shadow += tile_counts.shadow;

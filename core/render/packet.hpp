@@ -1,7 +1,7 @@
 // Which pixels a packet holds, the camera rays through them, and the per-pixel phase of the lobe lattice.
 #pragma once
 
-#include "core/geometry/algebra.hpp"
+#include "core/geometry/unit.hpp"
 #include "core/optics/lattice.hpp"
 #include "core/render/plan.hpp"
 
@@ -16,28 +16,53 @@ constexpr LaneNumbers kLaneNumbers{{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13
                                    {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}};
 
 /// Column and row of the pixels of a tile, row-major: of any packet's lanes, from its first pixel's.
-struct TilePlaces {
-    float column[16], row[16];
+struct LanePlaces {
+    float real[16];
+    int whole[16];
 };
-constexpr TilePlaces kTilePlaces{{0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7},
-                                 {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1}};
+constexpr LanePlaces kColumns{{0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7},
+                              {0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7}};
+constexpr LanePlaces kRows{{0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1},
+                           {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1}};
 static_assert(kTileSide == 8);
+
+/// A whole number of pixels as the system R counts them.
+template <class R>
+ZERKALO_INLINE Pixels<R> pixels_of(std::int32_t count) {
+    if constexpr (Formats<R>::kFixed) {
+        return Pixels<Uniform<R>>(count);
+    } else {
+        return R(float(count));
+    }
+}
+
+/// kWidth<R> entries of a table of small whole numbers.
+template <class R>
+ZERKALO_INLINE Pixels<R> load_places(const LanePlaces& places, int first) {
+    if constexpr (Formats<R>::kFixed) {
+        Pixels<R> result{};
+        for (int k = 0; k < kWidth<R>; ++k) set_lane(result.raw, k, Pixels<Uniform<R>>(places.whole[first + k]).raw);
+        return result;
+    } else {
+        return load<R>(places.real + first);
+    }
+}
 
 /// Pixel coordinates of kWidth<R> neighbours of a tile, row-major from its pixel `first`, a multiple of the width.
 template <class R>
 struct PixelLanes {
-    R x, y;
+    Pixels<R> x, y;
 };
 
 template <class R>
-ZERKALO_INLINE R column_lanes(const Rect& tile, int first) {
-    return load<R>(kTilePlaces.column + first % kTileSide) + R(float(tile.left));
+ZERKALO_INLINE Pixels<R> column_lanes(const Rect& tile, int first) {
+    return load_places<R>(kColumns, first % kTileSide) + pixels_of<R>(tile.left);
 }
 template <class R>
-ZERKALO_INLINE R row_lanes(const Rect& tile, int first) {
-    const R row = R(float(tile.top + first / kTileSide));
+ZERKALO_INLINE Pixels<R> row_lanes(const Rect& tile, int first) {
+    const Pixels<R> row = pixels_of<R>(tile.top + first / kTileSide);
     if constexpr (kWidth<R> <= kTileSide) return row;
-    return row + load<R>(kTilePlaces.row);
+    return row + load_places<R>(kRows, 0);
 }
 template <class R>
 ZERKALO_INLINE PixelLanes<R> pixel_lanes(const Rect& tile, int first) {
@@ -48,40 +73,51 @@ ZERKALO_INLINE PixelLanes<R> pixel_lanes(const Rect& tile, int first) {
 template <class R>
 ZERKALO_INLINE Mask<R> lanes_inside(const Rect& tile, int first) {
     const PixelLanes<R> pixel = pixel_lanes<R>(tile, first);
-    return (pixel.x < R(float(tile.left + tile.width))) & (pixel.y < R(float(tile.top + tile.height)));
+    return (pixel.x < pixels_of<R>(tile.left + tile.width)) & (pixel.y < pixels_of<R>(tile.top + tile.height));
 }
 
 /// A point of the pixel, from its centre, in pixels.
-struct SubPixel {
-    float x, y;
+template <class P>
+struct SubPixelOf {
+    P x, y;
 };
+using SubPixel = SubPixelOf<float>;
 
 /// Camera sample a of n: a Fibonacci lattice over the pixel's square; one sample is the centre.
-ZERKALO_INLINE SubPixel sub_pixel(std::int32_t a, std::int32_t n) {
-    if (n == 1) return {0, 0};
+template <class N>
+ZERKALO_INLINE SubPixelOf<Pixels<N>> sub_pixel(std::int32_t a, std::int32_t n) {
+    using P = Pixels<N>;
+    if (n == 1) return {P(0), P(0)};
     const auto phase = static_cast<std::uint32_t>(a) * kGoldenTurn;
-    return {(float(a) + 0.5f) / float(n) - 0.5f, turn_of_phase<float>(phase)};
+    if constexpr (Formats<N>::kFixed) {
+        // A turn is a pixel here: 2^32 steps of the phase.
+        const auto shifted = static_cast<std::int32_t>(phase ^ 0x80000000u);
+        const std::int32_t x = rounded_quotient<std::int32_t, P::kFraction - 1>(2 * a + 1 - n, n);
+        return {P::from_raw(x), P::from_raw(rescaled<std::int32_t, 32 - P::kFraction>(shifted))};
+    } else {
+        return {(float(a) + 0.5f) / float(n) - 0.5f, turn_of_phase<float>(phase)};
+    }
 }
 
 /// Twice the way from the picture's middle to a pixel's point, to the right and upwards.
-template <class R>
-ZERKALO_INLINE R twice_across(const Plan& plan, R x, SubPixel at) {
-    return (x + x) + (R(2 * at.x) - R(float(plan.width - 1)));
+template <class R, class P>
+ZERKALO_INLINE R twice_across(const PlanHead& plan, R x, SubPixelOf<P> at) {
+    return (x + x) + (R(at.x + at.x) - pixels_of<Numbers<R>>(plan.width - 1));
 }
-template <class R>
-ZERKALO_INLINE R twice_upwards(const Plan& plan, R y, SubPixel at) {
-    return R(float(plan.height - 1)) - (y + y) - R(2 * at.y);
+template <class R, class P>
+ZERKALO_INLINE R twice_upwards(const PlanHead& plan, R y, SubPixelOf<P> at) {
+    return pixels_of<Numbers<R>>(plan.height - 1) - (y + y) - R(at.y + at.y);
 }
 
 /// Seed formulas 2.5-2.10 with the pixel's centre; see CameraPlan. The part that a column of pixels shares, and the
 /// whole, not normalised.
-template <class R>
-ZERKALO_INLINE Vec3<R> towards_column(const CameraPlan& camera, R across) {
-    return camera.view + camera.step_x * across;
+template <class F, class P>
+ZERKALO_INLINE Vec3<View<P>> towards_column(const CameraPlanOf<F>& camera, P across) {
+    return camera.view + product<View<P>>(camera.step_x, across);
 }
-template <class R>
-ZERKALO_INLINE Vec3<R> towards_pixel(const CameraPlan& camera, Vec3<R> column, R upwards) {
-    return column + camera.step_y * upwards;
+template <class F, class V, class P>
+ZERKALO_INLINE Vec3<V> towards_pixel(const CameraPlanOf<F>& camera, Vec3<V> column, P upwards) {
+    return column + product<V>(camera.step_y, upwards);
 }
 
 /// Directions to the columns of a tile, by packet.
@@ -101,27 +137,30 @@ ZERKALO_INLINE void fill_columns(TileColumns<R>& columns, const Plan& plan, cons
 
 template <class R>
 struct CameraRay {
-    Vec3<R> o, d;
-    R t_min;
+    Vec3<Length<R>> o;
+    Vec3<Direction<R>> d;
+    Length<R> t_min;
 };
 
 /// The ray through a pixel's point, also from far away.
-template <class R>
-ZERKALO_INLINE CameraRay<R> camera_ray(const Plan& plan, R x, R y, SubPixel at) {
-    const CameraPlan& camera = plan.camera;
-    const R across = twice_across(plan, x, at), upwards = twice_upwards(plan, y, at);
-    const Vec3<R> towards = towards_pixel(camera, towards_column(camera, across), upwards);
-    const R length = sqrt(dot(towards, towards));
-    CameraRay<R> ray{spread<R>(camera.origin), towards * (R(1) / length), R(0)};
+template <class R, class P>
+ZERKALO_INLINE CameraRay<R> camera_ray(const PlanOf<Formats<R>>& plan, Pixels<R> x, Pixels<R> y, SubPixelOf<P> at) {
+    using L = Length<R>;
+    using F = FarStep<R>;
+    const auto& camera = plan.camera;
+    const Pixels<R> across = twice_across(plan, x, at), upwards = twice_upwards(plan, y, at);
+    const auto towards = unit_of(towards_pixel(camera, towards_column(camera, across), upwards));
+    CameraRay<R> ray{spread<L>(camera.origin), towards.unit, L(0)};
     if (plan.features & kFeatureFar) {
-        ray.o = camera.origin + camera.origin_step_x * across + camera.origin_step_y * upwards;
-        ray.t_min = -(length * R(camera.pull));
+        const Vec3<L> from_column = camera.origin + as<L>(product<F>(camera.origin_step_x, across));
+        ray.o = from_column + as<L>(product<F>(camera.origin_step_y, upwards));
+        ray.t_min = -as<L>(product<F>(towards.length, F(camera.pull)));
     }
     return ray;
 }
 
 /// The hash behind the lattice classes of a tile's pixels.
-ZERKALO_INLINE std::uint32_t tile_hash(const Plan& plan, const Rect& tile) {
+ZERKALO_INLINE std::uint32_t tile_hash(const PlanHead& plan, const Rect& tile) {
     const auto tiles_across = static_cast<std::uint32_t>(plan.width + kTileSide - 1) / kTileSide;
     return hash_bits(static_cast<std::uint32_t>(tile.top / kTileSide) * tiles_across +
                      static_cast<std::uint32_t>(tile.left / kTileSide));

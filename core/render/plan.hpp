@@ -1,4 +1,5 @@
 // What the kernels read: every constant of one frame, derived by prepare(). Trivially copyable, fixed capacity.
+// F: the formats of its numbers. `Plan` is the one of the float kernels, `FixedPlan` that of the fixed-point kernel.
 #pragma once
 
 #include "core/image/image_view.hpp"
@@ -45,41 +46,59 @@ struct Blockers {
     std::uint64_t of_light[kMaxLights];
 };
 
-struct SolidPlan {
+template <class F>
+struct SolidPlanOf {
     ShapeKind shape;
-    float id;  // its index in the scene, as lanes hold it
-    SphereData sphere;
-    HalfSpacesData half_spaces;
-    TubeData tube;
+    typename F::Index id;  // its index in the scene, as lanes hold it
+    SphereDataOf<F> sphere;
+    HalfSpacesDataOf<F> half_spaces;
+    TubeDataOf<F> tube;
     MeshData mesh;
-    Vec3<float> bound_centre;
-    float bound_radius;  // contains the solid, with room for rounding
-    SurfaceData surface;
-    TransportData transport;
+    Vec3<typename F::Length> bound_centre;
+    typename F::Length bound_radius;  // contains the solid, with room for rounding
+    SurfaceDataOf<F> surface;
+    TransportDataOf<F> transport;
     Blockers blockers;
 };
+using SolidPlan = SolidPlanOf<FloatFormats>;
 
-struct MirrorPlan {
-    MirrorShape shape;
-    SurfaceData front, back;
-    Blockers blockers;
-    Rgb<float> reflectance;  // F K_r
-    LobeData lobe;
+/// What only the kernels for at most one bounce read of a mirror, a light, a plan: they exist in float alone.
+template <class F>
+struct OneBounceMirror {};
+template <>
+struct OneBounceMirror<FloatFormats> {
     LatticeChunk lattice;  // the lobe's first points; all of them if `samples` are at most kChunk
-    std::uint32_t flush;            // bit k: a face of solid k lies in the mirror's plane
-    float flush_face[kMaxSolids];   // which one
+};
+template <class F>
+struct OneBounceLight {};
+template <class F>
+struct OneBouncePlan {};
+
+template <class F>
+struct MirrorPlanOf : OneBounceMirror<F> {
+    MirrorShapeOf<F> shape;
+    SurfaceDataOf<F> front, back;
+    Blockers blockers;
+    Rgb<typename F::Weight> reflectance;  // F K_r
+    LobeDataOf<F> lobe;
+    std::uint32_t flush;                           // bit k: a face of solid k lies in the mirror's plane
+    typename F::Index flush_face[kMaxSolids];      // which one
     std::uint8_t curved;
     std::uint8_t reflects;
 };
+using MirrorPlan = MirrorPlanOf<FloatFormats>;
 
 /// Camera ray of pixel (i, j): direction view + step_x (2 i + 1 - W) + step_y (H - 2 j - 1), before normalising.
 /// A far camera's rays start on the plane through the scene's centre: origin + origin_step * (...), t > -pull
 /// |direction|.
-struct CameraPlan {
-    Vec3<float> origin, view, step_x, step_y;
-    Vec3<float> origin_step_x, origin_step_y;
-    float pull;
+template <class F>
+struct CameraPlanOf {
+    Vec3<typename F::Length> origin;
+    Vec3<typename F::View> view, step_x, step_y;
+    Vec3<typename F::FarStep> origin_step_x, origin_step_y;
+    typename F::FarStep pull;
 };
+using CameraPlan = CameraPlanOf<FloatFormats>;
 
 constexpr int kTileCorners = 4;
 
@@ -90,20 +109,24 @@ struct TileCorners {
     float reach;              // length of the longest
 };
 
-struct SharedSlab {
-    float lo, hi;
+template <class F>
+struct SharedSlabOf {
+    typename F::Length lo, hi;
 };
-struct SharedSolid {
-    Vec3<float> from;
-    float c;
+template <class F>
+struct SharedSolidOf {
+    Vec3<typename F::Length> from;
+    typename F::Area c;
 };
 
 /// One origin of many rays, the camera or a light, and what all of them have in common (shapes/*.hpp: ..._seen_from).
-struct SharedOrigin {
-    SharedSolid solids[kMaxSolids];
-    SharedSlab slabs[kMaxSlabs];
-    Vec3<float> mirrors[kMaxMirrors];
+template <class F>
+struct SharedOriginOf {
+    SharedSolidOf<F> solids[kMaxSolids];
+    SharedSlabOf<F> slabs[kMaxSlabs];
+    Vec3<typename F::Length> mirrors[kMaxMirrors];
 };
+using SharedOrigin = SharedOriginOf<FloatFormats>;
 
 /// A solid's bounding sphere as a light sees it: its centre from there, and |centre|^2 - radius^2 with room for
 /// rounding.
@@ -112,26 +135,31 @@ struct SharedBound {
     float beyond;
 };
 
-struct LightPlan {
-    LightData data;
+template <>
+struct OneBounceLight<FloatFormats> {
     SharedBound bounds[kMaxSolids];
-    SharedOrigin origin;
 };
+template <class F>
+struct LightPlanOf : OneBounceLight<F> {
+    LightDataOf<F> data;
+    SharedOriginOf<F> origin;
+};
+using LightPlan = LightPlanOf<FloatFormats>;
 
 /// Pixels that a projection can touch: left <= x < right, top <= y < bottom.
 struct PixelBounds {
     std::int32_t left, top, right, bottom;
 };
 
-/// The same for several objects, one a lane. As floats, which hold them exactly.
-template <int count>
+/// The same for several objects, one a lane. T: float, which holds them exactly, or integers.
+template <int count, class T = float>
 struct PixelBoundsTable {
     static_assert(count % kWidestLane == 0);
-    float left[count], top[count], right[count], bottom[count];
+    T left[count], top[count], right[count], bottom[count];
 
     constexpr void set(std::int32_t k, const PixelBounds& bounds) {
-        left[k] = float(bounds.left), top[k] = float(bounds.top);
-        right[k] = float(bounds.right), bottom[k] = float(bounds.bottom);
+        left[k] = T(bounds.left), top[k] = T(bounds.top);
+        right[k] = T(bounds.right), bottom[k] = T(bounds.bottom);
     }
 };
 
@@ -140,29 +168,41 @@ struct BoundTable {
     float x[kMaxSolids], y[kMaxSolids], z[kMaxSolids], radius[kMaxSolids];
 };
 
-struct Plan {
-    Vec3<double> origin;  // of all places below: 0, but for a scene that lies far from there
+template <>
+struct OneBouncePlan<FloatFormats> {
+    TileCorners tile_corners;
+    SharedOrigin camera_origin;
+    BoundTable bounds;
+    PixelBoundsTable<kMaxSolids> image_bounds;               // of the solids' images behind the only, plane mirror
+    PixelBoundsTable<kMaxSolids> shadow_bounds[kMaxLights];  // of the solids' shadows on it
+};
+
+/// What a plan tells whoever runs its tiles.
+struct PlanHead {
+    Vec3<double> origin;  // of all places in the plan: 0, but for a scene that lies far from there
     std::int32_t width, height;
     std::int32_t samples, antialias, depth_limit;
     std::uint32_t features;
     std::uint8_t exact_plan;
     std::int32_t solid_count, mirror_count, light_count;
-    Rgb<float> background;
-    CameraPlan camera;
-    TileCorners tile_corners;
-    SolidPlan solids[kMaxSolids];
-    MirrorPlan mirrors[kMaxMirrors];
-    LightPlan lights[kMaxLights];
-    SharedOrigin camera_origin;
-    Slab slabs[kMaxSlabs];
-    TriangleData triangles[kMaxTriangles];
+    std::int32_t exposure;  // stored radiance times 2^exposure is the picture's; 0 in float
+};
+
+template <class F>
+struct PlanOf : PlanHead, OneBouncePlan<F> {
+    Rgb<typename F::Radiance> background;
+    CameraPlanOf<F> camera;
+    SolidPlanOf<F> solids[kMaxSolids];
+    MirrorPlanOf<F> mirrors[kMaxMirrors];
+    LightPlanOf<F> lights[kMaxLights];
+    SlabOf<F> slabs[kMaxSlabs];
+    TriangleDataOf<F> triangles[kMaxTriangles];
 
     // Culling. Bit k of a mask is solid k, bit kMaxSolids + k is mirror k.
-    BoundTable bounds;
-    PixelBoundsTable<kMaxSolids> solid_bounds;
-    PixelBoundsTable<kWidestLane> mirror_bounds;
-    PixelBoundsTable<kMaxSolids> image_bounds;               // of the solids' images behind the only, plane mirror
-    PixelBoundsTable<kMaxSolids> shadow_bounds[kMaxLights];  // of the solids' shadows on it
+    PixelBoundsTable<kMaxSolids, typename F::PixelBound> solid_bounds;
+    PixelBoundsTable<kWidestLane, typename F::PixelBound> mirror_bounds;
 };
+using Plan = PlanOf<FloatFormats>;
+using FixedPlan = PlanOf<FixedFormats>;
 
 }  // namespace zerkalo

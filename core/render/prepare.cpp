@@ -1,6 +1,7 @@
 #include "core/numeric/float_mode.hpp"
 #include "core/render/cull.hpp"
 #include "core/render/derive_planes.hpp"
+#include "core/render/fit.hpp"
 #include "core/render/lattice_chunk.hpp"
 #include "core/render/meet.hpp"
 #include "core/render/render.hpp"
@@ -103,30 +104,37 @@ Point origin_for(const Ball& all) {
     return {near(all.centre.x), near(all.centre.y), near(all.centre.z)};
 }
 
-bool near_or_inside(const Plan& plan, const Scene& scene, const Point& p) {
+template <class F>
+bool near_or_inside(const PlanOf<F>& plan, const Scene& scene, const Constants<F>& to, const Point& p) {
     for (std::int32_t k = 0; k < scene.solid_count; ++k) {
-        const SolidPlan& solid = plan.solids[k];
+        const SolidPlanOf<F>& solid = plan.solids[k];
         if (solid.shape == ShapeKind::mesh) continue;
-        if (clearance(plan, solid, p) <= kNearShare * solid.bound_radius) return true;
+        if (clearance(plan, solid, to, p) <= kNearShare * to.length_of(solid.bound_radius)) return true;
     }
     return false;
 }
 
+/// How far a far camera's origin is moved along its view; 0 of a near one.
+double pull_of(const Viewpoint& eye, const Surroundings& around) {
+    if (!is_far(eye.position, around)) return 0;
+    const double pull = dot(around.all.centre - eye.position, eye.view);
+    return pull > 0 ? pull : 0;
+}
+
 /// Seed formulas 2.9, 2.10. A far camera's rays start on the plane through the scene's centre: see CameraPlan.
-void derive_camera(const Viewpoint& eye, const Surroundings& around, Plan& plan) {
+template <class F>
+void derive_camera(const Viewpoint& eye, const Surroundings& around, const Constants<F>& to, PlanOf<F>& plan) {
     const Point step_x = eye.right * (eye.tan_half_width / eye.width);
     const Point step_y = eye.up * (eye.tan_half_height / eye.height);
-    double pull = 0;
-    if (is_far(eye.position, around)) {
-        pull = dot(around.all.centre - eye.position, eye.view);
-        pull = pull > 0 ? pull : 0;
-        plan.features |= kFeatureFar;
-    }
-    CameraPlan& camera = plan.camera;
-    camera.view = rounded(eye.view), camera.step_x = rounded(step_x), camera.step_y = rounded(step_y);
-    camera.origin = rounded(eye.position + eye.view * pull - plan.origin);
-    camera.origin_step_x = rounded(step_x * pull), camera.origin_step_y = rounded(step_y * pull);
-    camera.pull = float(pull);
+    const double pull = pull_of(eye, around);
+    if (is_far(eye.position, around)) plan.features |= kFeatureFar;
+    const double scale = to.view_scale(length({1, eye.tan_half_width, eye.tan_half_height}));
+    CameraPlanOf<F>& camera = plan.camera;
+    camera.view = to.view(eye.view * scale);
+    camera.step_x = to.view(step_x * scale), camera.step_y = to.view(step_y * scale);
+    camera.origin = to.point(eye.position + eye.view * pull);
+    camera.origin_step_x = to.far_step(step_x * pull), camera.origin_step_y = to.far_step(step_y * pull);
+    camera.pull = to.pull(pull / scale);
 }
 
 void derive_tile_corners(Plan& plan) {
@@ -143,20 +151,21 @@ void derive_tile_corners(Plan& plan) {
 }
 
 /// What all rays from one origin have in common, in the kernels' own arithmetic.
-void derive_shared(const Plan& plan, Vec3<float> point, SharedOrigin& out) {
-    using N = FloatNumbers<float>;
+template <class F>
+void derive_shared(const PlanOf<F>& plan, const Vec3<typename F::Length>& point, SharedOriginOf<F>& out) {
+    using N = typename SetUpNumbers<F>::type;
     for (std::int32_t k = 0; k < plan.solid_count; ++k) {
-        const SolidPlan& solid = plan.solids[k];
-        SharedSolid& shared = out.solids[k];
-        shared = {point, 0};
+        const SolidPlanOf<F>& solid = plan.solids[k];
+        SharedSolidOf<F>& shared = out.solids[k];
+        shared = {point, typename F::Area(0)};
         if (solid.shape == ShapeKind::sphere) {
             const auto from = sphere_seen_from<N>(solid.sphere, point);
             shared = {from.f, from.c};
         } else if (solid.shape == ShapeKind::tube) {
             shared.from = tube_seen_from<N>(solid.tube, point);
         } else if (solid.shape == ShapeKind::half_spaces) {
-            const HalfSpacesData& body = solid.half_spaces;
-            const Vec3<float> o = point - body.centre;
+            const HalfSpacesDataOf<F>& body = solid.half_spaces;
+            const auto o = point - body.centre;
             for (std::int32_t s = body.first_slab; s < body.first_slab + body.slab_count; ++s) {
                 const auto from = slab_seen_from<N>(plan.slabs[s], o);
                 out.slabs[s] = {from.lo, from.hi};
@@ -168,103 +177,157 @@ void derive_shared(const Plan& plan, Vec3<float> point, SharedOrigin& out) {
     }
 }
 
-void derive_objects(const Scene& scene, const Settings& settings, const Surroundings& around, Plan& plan) {
+template <class F>
+void derive_objects(const Scene& scene, const Settings& settings, const Surroundings& around, const Constants<F>& to,
+                    PlanOf<F>& plan) {
     std::int32_t slabs = 0, triangles = 0;
     for (std::int32_t k = 0; k < scene.solid_count; ++k) {
-        derive_solid(scene, k, slabs, triangles, plan);
-        SolidPlan& solid = plan.solids[k];
-        solid.bound_centre = rounded(around.solids[k].centre - plan.origin);
+        derive_solid(scene, k, to, slabs, triangles, plan);
+        SolidPlanOf<F>& solid = plan.solids[k];
+        solid.bound_centre = to.point(around.solids[k].centre);
         // Room for the rounding of coordinates as large as the scene.
-        const double size = around.all.radius + length(around.all.centre - plan.origin);
-        solid.bound_radius = float(around.solids[k].radius * (1 + 0x1p-16) + 0x1p-18 * size);
-        plan.bounds.x[k] = solid.bound_centre.x, plan.bounds.y[k] = solid.bound_centre.y;
-        plan.bounds.z[k] = solid.bound_centre.z, plan.bounds.radius[k] = solid.bound_radius;
+        const double size = around.all.radius + length(to.seen(around.all.centre));
+        solid.bound_radius = to.length(around.solids[k].radius * (1 + 0x1p-16) + 0x1p-18 * size);
     }
     for (std::int32_t m = 0; m < scene.mirror_count; ++m) {
-        MirrorPlan& mirror = plan.mirrors[m];
-        derive_mirror(scene.mirrors[m], scene.ambient, settings, plan.origin, mirror);
-        if (mirror.lobe.glossy) fill_chunk<float>(mirror.lattice, mirror.lobe, 0, settings.samples);
+        derive_mirror(scene.mirrors[m], scene.ambient, settings, to, plan.mirrors[m]);
     }
     for (std::int32_t j = 0; j < scene.light_count; ++j) {
-        plan.lights[j].data = derive_light(scene.lights[j], plan.origin);
+        plan.lights[j].data = derive_light(scene.lights[j], to);
         plan.lights[j].data.distant = is_far(scene.lights[j].position, around);
     }
 }
 
-std::uint32_t features_of_solids(const Plan& plan) {
+template <class F>
+std::uint32_t features_of_solids(const PlanOf<F>& plan) {
     std::uint32_t features = 0;
     for (std::int32_t k = 0; k < plan.solid_count; ++k) {
-        const SolidPlan& solid = plan.solids[k];
+        const SolidPlanOf<F>& solid = plan.solids[k];
         const ShapeKind shape = solid.shape;
         features |= shape == ShapeKind::sphere        ? kFeatureSphere
                     : shape == ShapeKind::half_spaces ? kFeatureHalfSpaces
                     : shape == ShapeKind::tube        ? kFeatureTube
                                                       : kFeatureMesh;
-        const TransportData& transport = solid.transport;
-        if (transport.reflection > 0 || transport.transmission > 0) features |= kFeatureChain;
+        const typename F::Weight none(0);
+        const auto& transport = solid.transport;
+        const bool reflects = transport.reflection > none, transmits = transport.transmission > none;
+        if (reflects || transmits) features |= kFeatureChain;
         if (transport.fresnel) features |= kFeatureFresnel;
-        if (transport.transmission > 0 && (transport.reflection > 0 || transport.fresnel)) features |= kFeatureBranch;
+        if (transmits && (reflects || transport.fresnel)) features |= kFeatureBranch;
     }
     return features;
 }
 
-void derive_features(const Scene& scene, Plan& plan) {
+template <class F>
+void derive_features(const Scene& scene, const Constants<F>& to, PlanOf<F>& plan) {
     plan.features |= features_of_solids(plan);
     if (plan.mirror_count > 1) plan.features |= kFeatureChain;
     for (std::int32_t m = 0; m < plan.mirror_count; ++m) {
-        const MirrorPlan& mirror = plan.mirrors[m];
+        const MirrorPlanOf<F>& mirror = plan.mirrors[m];
         if (mirror.curved) plan.features |= kFeatureCurved | kFeatureChain;
         if (!mirror.reflects) continue;
         plan.features |= kFeatureMirror;
         if (mirror.lobe.glossy) plan.features |= kFeatureGlossy;
         if (mirror.lobe.glossy && mirror.lobe.max_phong) plan.features |= kFeatureMaxPhong;
     }
-    if (near_or_inside(plan, scene, scene.camera.position)) plan.features |= kFeatureInside;
+    if (near_or_inside(plan, scene, to, scene.camera.position)) plan.features |= kFeatureInside;
     for (std::int32_t j = 0; j < plan.light_count; ++j) {
         if (plan.lights[j].data.inverse_square) plan.features |= kFeatureFalloff;
         if (plan.lights[j].data.distant) plan.features |= kFeatureFar;
-        if (near_or_inside(plan, scene, scene.lights[j].position)) plan.features |= kFeatureInside;
+        if (near_or_inside(plan, scene, to, scene.lights[j].position)) plan.features |= kFeatureInside;
     }
     if (plan.light_count > 0 && plan.solid_count + plan.mirror_count > 1) plan.features |= kFeatureShadow;
     if (plan.antialias > 1) plan.features |= kFeatureAntialias;
+}
+
+/// What only the kernels for at most one bounce read.
+void derive_one_bounce(const Scene& scene, const Settings& settings, const Viewpoint& eye,
+                       const Constants<FloatFormats>& to, Plan& plan) {
+    for (std::int32_t k = 0; k < plan.solid_count; ++k) {
+        const SolidPlan& solid = plan.solids[k];
+        plan.bounds.x[k] = solid.bound_centre.x, plan.bounds.y[k] = solid.bound_centre.y;
+        plan.bounds.z[k] = solid.bound_centre.z, plan.bounds.radius[k] = solid.bound_radius;
+    }
+    for (std::int32_t m = 0; m < plan.mirror_count; ++m) {
+        MirrorPlan& mirror = plan.mirrors[m];
+        if (mirror.lobe.glossy) fill_chunk<float>(mirror.lattice, mirror.lobe, 0, settings.samples);
+    }
+    if (plan.mirror_count > 0) derive_tile_corners(plan);
+    derive_image_bounds(scene, eye, plan);
+    derive_light_bounds(scene, to, plan);
+    derive_shared(plan, plan.camera.origin, plan.camera_origin);
+}
+
+void derive_head(const Scene& scene, const Settings& settings, const ImageSize& size, PlanHead& plan) {
+    plan.width = size.width, plan.height = size.height;
+    plan.samples = settings.samples, plan.antialias = settings.antialias, plan.depth_limit = settings.depth_limit;
+    plan.features = 0;
+    plan.exact_plan = settings.exact_plan;
+    plan.solid_count = scene.solid_count, plan.mirror_count = scene.mirror_count, plan.light_count = scene.light_count;
+    plan.exposure = 0;
+}
+
+/// Everything that both kinds of plan have. `to` is chosen for a scene that fits.
+template <class F>
+Status derive_plan(const Scene& scene, const Settings& settings, const Surroundings& around, const Viewpoint& eye,
+                   const Constants<F>& to, PlanOf<F>& plan) {
+    const Rgb<double> white{1, 1, 1};
+    plan.background = derive_surface(Material{.color = white, .ambient = 1}, scene.background, to).ambient;
+    derive_objects(scene, settings, around, to, plan);
+    derive_camera(eye, around, to, plan);
+    derive_bounds(scene, eye, plan);
+    derive_blockers(scene, around, plan);
+    derive_planes(scene, plan);
+    derive_features(scene, to, plan);
+    if ((plan.features & kFeatureBranch) && plan.depth_limit > kMaxBranchDepth) {
+        return Status{"depth_limit", "must be at most 16 in a scene with a surface that both reflects and transmits",
+                      Part::settings, 0};
+    }
+    for (std::int32_t j = 0; j < scene.light_count; ++j) {
+        derive_shared(plan, plan.lights[j].data.position, plan.lights[j].origin);
+    }
+    return kOk;
+}
+
+/// The scene and the size of its picture, checked.
+Status check(const Scene& scene, const Settings& settings, ImageSize& size) {
+    if (const Status status = validate(scene); !status.ok()) return status;
+    size = {settings.width > 0 ? settings.width : scene.image.width,
+            settings.height > 0 ? settings.height : scene.image.height};
+    return check(settings, size);
 }
 
 }  // namespace
 
 Status prepare(const Scene& scene, const Settings& settings, Plan& plan) {
     const IeeeMode ieee;
-    if (const Status status = validate(scene); !status.ok()) return status;
-    const ImageSize size{settings.width > 0 ? settings.width : scene.image.width,
-                         settings.height > 0 ? settings.height : scene.image.height};
-    if (const Status status = check(settings, size); !status.ok()) return status;
-
-    plan.width = size.width, plan.height = size.height;
-    plan.samples = settings.samples, plan.antialias = settings.antialias, plan.depth_limit = settings.depth_limit;
-    plan.features = 0;
-    plan.exact_plan = settings.exact_plan;
-    plan.solid_count = scene.solid_count, plan.mirror_count = scene.mirror_count, plan.light_count = scene.light_count;
-    plan.background = derive_surface(Material{.color = scene.background, .diffuse = 1}, {0, 0, 0}).diffuse;
-
+    ImageSize size;
+    if (const Status status = check(scene, settings, size); !status.ok()) return status;
+    derive_head(scene, settings, size, plan);
     Surroundings around;
     derive_surroundings(scene, around);
-    plan.origin = origin_for(around.all);
-    derive_objects(scene, settings, around, plan);
     const Viewpoint eye = viewpoint_of(scene.camera, size);
-    derive_camera(eye, around, plan);
-    if (plan.mirror_count > 0) derive_tile_corners(plan);
-    derive_bounds(scene, eye, plan);
-    derive_blockers(scene, around, plan);
-    derive_planes(scene, plan);
-    derive_features(scene, plan);
-    if ((plan.features & kFeatureBranch) && plan.depth_limit > kMaxBranchDepth) {
-        return Status{"depth_limit", "must be at most 16 in a scene with a surface that both reflects and transmits",
-                      Part::settings, 0};
-    }
-    derive_shared(plan, plan.camera.origin, plan.camera_origin);
-    for (std::int32_t j = 0; j < plan.light_count; ++j) {
-        derive_shared(plan, plan.lights[j].data.position, plan.lights[j].origin);
-    }
-    return kOk;
+    plan.origin = origin_for(around.all);
+    const Constants<FloatFormats> to(plan.origin);
+    const Status status = derive_plan(scene, settings, around, eye, to, plan);
+    if (status.ok()) derive_one_bounce(scene, settings, eye, to, plan);
+    return status;
+}
+
+Status prepare(const Scene& scene, const Settings& settings, FixedPlan& plan) {
+    const IeeeMode ieee;
+    ImageSize size;
+    if (const Status status = check(scene, settings, size); !status.ok()) return status;
+    derive_head(scene, settings, size, plan);
+    Surroundings around;
+    derive_surroundings(scene, around);
+    const Viewpoint eye = viewpoint_of(scene.camera, size);
+    Constants<FixedFormats> to;
+    plan.origin = origin_for(around.all);
+    const Point start = eye.position + eye.view * pull_of(eye, around);
+    if (const Status status = fit(scene, around, plan.origin, start, to); !status.ok()) return status;
+    plan.exposure = to.exposure();
+    return derive_plan(scene, settings, around, eye, to, plan);
 }
 
 }  // namespace zerkalo

@@ -37,18 +37,24 @@ struct RayCounts {
 /// Renders one tile of the plan's picture into `image` (whole picture, plan.width x plan.height); adds to `counts`.
 /// Touches no pixel outside the tile. A pure function of the plan: same bytes for any order, thread or ISA.
 using TileFunction = void (*)(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts);
+using FixedTileFunction = void (*)(const FixedPlan& plan, const Rect& tile, const LinearImage& image,
+                                   RayCounts& counts);
 
 /// Checks scene and settings and derives every constant of the frame. On error `plan` is left unspecified.
 Status prepare(const Scene& scene, const Settings& settings, Plan& plan);
 
+/// The same for the fixed-point kernel. Also refuses what the formats cannot hold, with the field and the reason.
+Status prepare(const Scene& scene, const Settings& settings, FixedPlan& plan);
+
 /// The smallest kernel that covers what the plan needs. Precondition: available(isa).
 TileFunction kernel_for(const Plan& plan, Isa isa);
+FixedTileFunction kernel_for(const FixedPlan& plan, Isa isa);
 
 /// Tiles of the picture, row-major; the last column and row may be smaller.
-int tile_count(const Plan& plan);
-Rect tile_at(const Plan& plan, int index);
+int tile_count(const PlanHead& plan);
+Rect tile_at(const PlanHead& plan, int index);
 
 /// The features that the plan uses, as names; returns how many were written (at most `capacity`).
-int feature_names(const Plan& plan, const char** names, int capacity);
+int feature_names(const PlanHead& plan, const char** names, int capacity);
 
 }  // namespace zerkalo

@@ -44,7 +44,7 @@ ZERKALO_INLINE Rgb<R> local_light(const Plan& plan, const Spot<R>& spot, const S
 template <class R>
 ZERKALO_INLINE Rgb<R> light_of_solid(const Plan& plan, const SolidPlan& solid, Vec3<R> p, R face, Vec3<R> d, Mask<R> here,
                                      TileCounts& counts) {
-    const Spot<R> spot{p, normal_towards(plan, solid, p, face, d, here), d, R(solid.id), here};
+    const Spot<R> spot{p, normal_towards<R>(plan, solid, p, face, d, here), d, R(solid.id), here};
     return local_light(plan, spot, solid.surface, solid.blockers, counts);
 }
 

@@ -29,14 +29,33 @@ ZERKALO_INLINE CandidateMask overlapping(const PixelBoundsTable<n>& bounds, std:
     return mask & first_bits(count);
 }
 
+/// The same of bounds that are integers, one after the other.
+template <class R, int n>
+ZERKALO_INLINE CandidateMask overlapping(const PixelBoundsTable<n, std::int32_t>& bounds, std::int32_t count,
+                                         const Rect& tile) {
+    CandidateMask mask = 0;
+    for (std::int32_t k = 0; k < count; ++k) {
+        const bool shared = bounds.left[k] < tile.left + tile.width && tile.left < bounds.right[k] &&
+                            bounds.top[k] < tile.top + tile.height && tile.top < bounds.bottom[k];
+        mask |= CandidateMask{shared} << k;
+    }
+    return mask;
+}
+
+/// What camera rays can see.
+template <class R, class F>
+ZERKALO_INLINE CandidateMask seen_by_tile(const PlanOf<F>& plan, const Rect& tile) {
+    return overlapping<R>(plan.solid_bounds, plan.solid_count, tile) |
+           overlapping<R>(plan.mirror_bounds, plan.mirror_count, tile) << kMaxSolids;
+}
+
 template <class R>
 ZERKALO_INLINE TileView view_of_tile(const Plan& plan, const Rect& tile) {
     TileView view;
-    const CandidateMask mirrors = overlapping<R>(plan.mirror_bounds, plan.mirror_count, tile);
-    view.seen = overlapping<R>(plan.solid_bounds, plan.solid_count, tile) | mirrors << kMaxSolids;
+    view.seen = seen_by_tile<R>(plan, tile);
     view.in_mirror = 0;
     view.in_lobe = 0;
-    if (mirrors == 0) return view;
+    if (mirrors_in(view.seen) == 0) return view;
     view.in_mirror = overlapping<R>(plan.image_bounds, plan.solid_count, tile);
     for (std::int32_t j = 0; j < plan.light_count; ++j) {
         const CandidateMask shadows = overlapping<R>(plan.shadow_bounds[j], plan.solid_count, tile);
@@ -108,18 +127,17 @@ ZERKALO_INLINE void write_rows(const TileColours& colours, int step, const Rect&
 }
 
 template <class R>
-ZERKALO_INLINE void write_tile(const TileColours& colours, const Rect& tile, const LinearImage& image) {
+ZERKALO_INLINE void write_tile(const Plan&, const TileColours& colours, const Rect& tile, const LinearImage& image) {
     write_rows<R>(colours, kTileSide, tile, image);
 }
 
 /// A tile that sees nothing: the background, summed and divided as the samples of rendered pixels are.
 template <class R>
-ZERKALO_INLINE void fill_tile(Rgb<float> background, std::int32_t antialias, const Rect& tile,
-                              const LinearImage& image) {
-    Rgb<float> c = background;
-    for (std::int32_t a = 1; a < antialias; ++a) c = c + background;
-    if (antialias > 1) {
-        const float count = float(antialias);
+ZERKALO_INLINE void fill_tile(const Plan& plan, const Rect& tile, const LinearImage& image) {
+    Rgb<float> c = plan.background;
+    for (std::int32_t a = 1; a < plan.antialias; ++a) c = c + plan.background;
+    if (plan.antialias > 1) {
+        const float count = float(plan.antialias);
         c = {c.r / count, c.g / count, c.b / count};
     }
     TileColours colours;

@@ -45,7 +45,7 @@ ZERKALO_INLINE Nearest<R> nearest_solid(const Plan& plan, CandidateMask candidat
     Nearest<R> best = nothing_yet<R>();
     for (CandidateMask left = solids_in(candidates); left != 0; left &= left - 1) {
         const int k = first_of(left);
-        with_span<Faces::entry>(plan, k, origin, d, [&](const Span<FloatNumbers<R>>& span) ZERKALO_INLINE_LAMBDA {
+        with_span<Faces::entry, R>(plan, k, origin, d, [&](const Span<FloatNumbers<R>>& span) ZERKALO_INLINE_LAMBDA {
             keep_nearer(best, span, plan.solids[k], span.entry <= span.exit);
         });
     }
@@ -55,7 +55,7 @@ ZERKALO_INLINE Nearest<R> nearest_solid(const Plan& plan, CandidateMask candidat
 /// Takes away the lanes from which solid k hides a light: the span from the light lies between it and the point.
 template <class R>
 ZERKALO_INLINE void hide_by_solid(Mask<R>& visible, const Plan& plan, const LightPlan& light, int k, const ToLight<R>& to, R own_id) {
-    with_span<Faces::none>(plan, k, light.origin, -to.l,
+    with_span<Faces::none, R>(plan, k, light.origin, -to.l,
                            [&](const Span<FloatNumbers<R>>& span) ZERKALO_INLINE_LAMBDA {
                                const auto hidden = (span.entry > R(0)) & (span.entry < to.distance) &
                                                    (span.entry <= span.exit) & (own_id != R(plan.solids[k].id));

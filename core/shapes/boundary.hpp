@@ -15,8 +15,8 @@ ZERKALO_INLINE auto inside_rectangle(const S& b, L x, L y) -> decltype(x < y) {
 
 template <class S, class L>
 ZERKALO_INLINE auto inside_ellipse(const S& b, L x, L y) -> decltype(x < y) {
-    const L u = as<L>(x * L(b.inverse_a));
-    const L v = as<L>(y * L(b.inverse_b));
+    const L u = product<L>(x, b.inverse_a);
+    const L v = product<L>(y, b.inverse_b);
     return u * u + v * v <= decltype(u * u)(1);
 }
 

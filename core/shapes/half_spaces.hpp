@@ -57,17 +57,19 @@ ZERKALO_INLINE void clip(Span<N>& span, const S& slab, const SlabOrigin<M>& from
 }
 
 /// Outward normal of the face at hi of each lane's slab, in the lanes of `here`.
-template <class R>
-ZERKALO_INLINE Vec3<R> half_spaces_normal(const HalfSpacesData& body, const Slab* slabs, R face, Mask<R> here) {
-    Vec3<R> n = spread<R>(slabs[0].n);
-    if (body.slab_count <= kPickable<R>) {
-        const FaceNormals& normals = body.normals;
-        n = {pick(normals.x, face), pick(normals.y, face), pick(normals.z, face)};
-    } else {
-        for (std::int32_t s = 1; s < body.slab_count; ++s) {
-            const auto on_face = here & (face == R(slabs[s].index));
-            if (any(on_face)) n = select(on_face, spread<R>(slabs[s].n), n);
+template <class R, class B, class S>
+ZERKALO_INLINE Vec3<Direction<R>> half_spaces_normal(const B& body, const S* slabs, Index<R> face, Mask<R> here) {
+    using D = Direction<R>;
+    if constexpr (kPickable<R> > 0) {
+        const auto& normals = body.normals;
+        if (body.slab_count <= kPickable<R>) {
+            return {pick(normals.x, face), pick(normals.y, face), pick(normals.z, face)};
         }
+    }
+    Vec3<D> n = spread<D>(slabs[0].n);
+    for (std::int32_t s = 1; s < body.slab_count; ++s) {
+        const auto on_face = here & (face == Index<R>(slabs[s].index));
+        if (any(on_face)) n = select(on_face, spread<D>(slabs[s].n), n);
     }
     return n;
 }

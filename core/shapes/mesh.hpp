@@ -14,42 +14,45 @@ namespace zerkalo::inline ZERKALO_ISA {
 template <class R>
 struct MeshSides {
     Mask<R> front, back;
-    R own_face;  // the triangle on which the ray starts, or -1
+    Index<R> own_face;  // the triangle on which the ray starts, or -1
 };
 
 template <class R>
 struct MeshHit {
     Mask<R> hit, back;  // back: met from inside
-    R t, face;
+    Length<R> t;
+    Index<R> face;
 };
 
 /// The nearest triangle with t_min < t < t_max. `triangles` points to the mesh's first one.
-template <class R, class O>
-ZERKALO_INLINE MeshHit<R> mesh_hit(const TriangleData* triangles, int count, Vec3<O> o, Vec3<R> d, R t_min, R t_max,
-                                   const MeshSides<R>& sides) {
-    MeshHit<R> best{t_max < t_max, t_max < t_max, t_max, R(0)};
+template <class R, class T, class O>
+ZERKALO_INLINE MeshHit<R> mesh_hit(const T* triangles, int count, Vec3<O> o, Vec3<Direction<R>> d, Length<R> t_min,
+                                   Length<R> t_max, const MeshSides<R>& sides) {
+    using L = Length<R>;
+    using A = Area<R>;
+    MeshHit<R> best{t_max < t_max, t_max < t_max, t_max, Index<R>(0)};
     for (int k = 0; k < count; ++k) {
-        const TriangleData& tri = triangles[k];
-        const Vec3<R> across = cross(d, tri.edge_ac);
-        const R det = dot(tri.edge_ab, across);
+        const T& tri = triangles[k];
+        const Vec3<L> across = as<L>(cross(d, tri.edge_ac));
+        const A det = dot(tri.edge_ab, across);
         const auto from_a = o - tri.a;
-        const R u = dot(from_a, across);
+        const A u = dot(from_a, across);
         const auto turned = cross(from_a, tri.edge_ab);
-        const R v = dot(turned, d);
+        const A v = dot_as<A>(turned, d);
         // Compare with det's sign taken out: 0 <= u, 0 <= v, u + v <= |det|, without the division.
-        const R size = absolute(det);
-        const R us = flip_sign(u, det);
-        const R vs = flip_sign(v, det);
-        auto hit = (us >= R(0)) & (vs >= R(0)) & (us + vs <= size) & (size > R(0));
+        const A size = absolute(det);
+        const A us = flip_sign(u, det);
+        const A vs = flip_sign(v, det);
+        auto hit = (us >= A(0)) & (vs >= A(0)) & (us + vs <= size) & (size > A(0));
         if (none(hit)) continue;
         // det > 0: the ray runs against the outward normal.
-        hit = hit & ((sides.front & (det > R(0))) | (sides.back & (det < R(0)))) & (sides.own_face != R(float(k)));
-        const R t = dot(turned, tri.edge_ac) / det;
+        hit = hit & ((sides.front & (det > A(0))) | (sides.back & (det < A(0)))) & (sides.own_face != index_of<R>(k));
+        const L t = quotient<L>(dot_as<Volume<R>>(turned, tri.edge_ac), det);
         hit = hit & (t > t_min) & (t < best.t);
         best.t = select(hit, t, best.t);
-        best.face = select(hit, R(float(k)), best.face);
+        best.face = select(hit, index_of<R>(k), best.face);
         best.hit = best.hit | hit;
-        best.back = select(hit, Mask<R>(det < R(0)), best.back);
+        best.back = select(hit, Mask<R>(det < A(0)), best.back);
     }
     return best;
 }

@@ -92,10 +92,11 @@ ZERKALO_INLINE MirrorHit<N> own_chord_hit(const S& m, Vec3<O> on_surface, Vec3<D
 }
 
 /// Unit normal of the front at a point given in the mirror's frame, in world axes.
-template <class R>
-ZERKALO_INLINE Vec3<R> mirror_normal(const MirrorShape& m, R x, R y, R z) {
-    const R kappa = R(m.kappa);
-    return m.right * (-(kappa * x)) + m.v * (-(kappa * y)) + m.n * (R(1) - kappa * z);
+template <class S, class L>
+ZERKALO_INLINE Vec3<Direction<L>> mirror_normal(const S& m, L x, L y, L z) {
+    using D = Direction<L>;
+    const auto kappa = Curvature<L>(m.kappa);
+    return as<D>(m.right * (-as<D>(kappa * x)) + m.v * (-as<D>(kappa * y)) + m.n * (D(1) - as<D>(kappa * z)));
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

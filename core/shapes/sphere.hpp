@@ -42,9 +42,9 @@ ZERKALO_INLINE Span<N> sphere_span(const S& sphere, const SphereOrigin<M>& from,
 }
 
 /// Unit outward normal at a point of the surface.
-template <class R>
-ZERKALO_INLINE Vec3<R> sphere_normal(const SphereData& sphere, Vec3<R> p) {
-    return (p - sphere.centre) * R(sphere.inverse_radius);
+template <class S, class L>
+ZERKALO_INLINE Vec3<Direction<L>> sphere_normal(const S& sphere, Vec3<L> p) {
+    return product<Direction<L>>(p - sphere.centre, sphere.inverse_radius);
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

@@ -16,66 +16,68 @@
 namespace zerkalo::inline ZERKALO_ISA {
 
 /// A vector in the tube's own axes.
-template <class A>
-ZERKALO_INLINE Vec3<A> in_tube_axes(const TubeData& tube, Vec3<A> v) {
+template <class T, class A>
+ZERKALO_INLINE Vec3<A> in_tube_axes(const T& tube, Vec3<A> v) {
     A x = v.x, y = v.y, z = v.z;
     if (!tube.upright) {
-        x = dot(tube.axis_x, v);
-        y = dot(tube.axis_y, v);
-        z = dot(tube.axis_z, v);
+        x = as<A>(dot(tube.axis_x, v));
+        y = as<A>(dot(tube.axis_y, v));
+        z = as<A>(dot(tube.axis_z, v));
     }
     return {x, y, z};
 }
 
 /// Origin in the tube's axes, from its centre.
-template <class N, class O>
-ZERKALO_INLINE Vec3<Length<N>> tube_seen_from(const TubeData& tube, Vec3<O> o) {
+template <class N, class T, class O>
+ZERKALO_INLINE Vec3<Length<N>> tube_seen_from(const T& tube, Vec3<O> o) {
     return in_tube_axes(tube, as<Length<N>>(o - tube.centre));
 }
 
 /// Where the ray is inside the infinite double cone (or cylinder); the caps' slab picks the right nappe.
-template <bool Tapered, class N>
-ZERKALO_INLINE Span<N> lateral_span(const TubeData& tube, Vec3<Length<N>> o, Vec3<Direction<N>> d) {
-    using R = Length<N>;
-    R m = R(tube.mid_radius);
-    if constexpr (Tapered) m = m + R(tube.slope) * o.y;
-    R a = d.x * d.x + d.z * d.z;
-    R b = o.x * d.x + o.z * d.z;
-    R w_x = m * d.x;
-    R w_z = m * d.z;
-    R n = R(0);
+template <bool Tapered, class N, class T>
+ZERKALO_INLINE Span<N> lateral_span(const T& tube, Vec3<Length<N>> o, Vec3<Direction<N>> d) {
+    using L = Length<N>;
+    using A = Area<N>;
+    L m = L(tube.mid_radius);
+    if constexpr (Tapered) m = m + as<L>(tube.slope * o.y);
+    A a = as<A>(d.x * d.x + d.z * d.z);
+    A b = as<A>(o.x * d.x + o.z * d.z);
+    A w_x = as<A>(m * d.x);
+    A w_z = as<A>(m * d.z);
+    Ratio<N> n = Ratio<N>(0);
     if constexpr (Tapered) {
-        n = R(tube.slope) * d.y;
+        n = as<Ratio<N>>(tube.slope * d.y);
         a = a - n * n;
         b = b - m * n;
         w_x = w_x - n * o.x;
         w_z = w_z - n * o.z;
     }
-    const R x = o.x * d.z - o.z * d.x;
-    const R disc = w_x * w_x + w_z * w_z - x * x;
-    const auto exists = (disc >= R(0)) | (a < R(0));
+    const L x = as<L>(o.x * d.z - o.z * d.x);
+    const A disc = as<L>(w_x) * as<L>(w_x) + as<L>(w_z) * as<L>(w_z) - x * x;
+    auto exists = (disc >= A(0)) | (a < A(0));
+    if constexpr (Formats<N>::kFixed) exists = exists & (dot(o, o) <= A(tube.reach2));
     Span<N> span = empty_span<N>();
     if (none(exists)) return span;
 
-    const R c = o.x * o.x + o.z * o.z - m * m;
-    const auto roots = roots_of_quadratic<R>(a, b, c, max(disc, R(0)));
-    const R far = far_away<R>();
-    R entry = min(roots.near_zero, roots.other);
-    R exit = max(roots.near_zero, roots.other);
+    const A c = o.x * o.x + o.z * o.z - m * m;
+    const auto roots = roots_of_quadratic<L>(a, b, c, max(disc, A(0)));
+    const L far = far_away<L>();
+    L entry = min(roots.near_zero, roots.other);
+    L exit = max(roots.near_zero, roots.other);
     if constexpr (Tapered) {
         // A steep ray (A < 0) stays inside beyond its last root where the radius grows, or before its first.
-        const auto steep = a < R(0);
+        const auto steep = a < A(0);
         if (any(steep)) {
-            const auto widening = n > R(0);
-            const R first = entry;
+            const auto widening = n > Ratio<N>(0);
+            const L first = entry;
             entry = select(steep, select(widening, exit, -far), entry);
             exit = select(steep, select(widening, far, first), exit);
         }
     }
     // Along the axis of a cylinder (or a generator through the apex) there is no root: inside for ever, or never.
-    const auto no_root = (a == R(0)) & (b == R(0));
+    const auto no_root = (a == A(0)) & (b == A(0));
     if (any(no_root)) {
-        const auto inside = c <= R(0);
+        const auto inside = c <= A(0);
         entry = select(no_root, select(inside, -far, far), entry);
         exit = select(no_root, select(inside, far, -far), exit);
     }
@@ -85,22 +87,23 @@ ZERKALO_INLINE Span<N> lateral_span(const TubeData& tube, Vec3<Length<N>> o, Vec
 }
 
 /// Span of the closed tube. `from`: tube_seen_from(origin). Tapered must equal tube.tapered.
-template <bool Tapered, Faces F, class N, class O>
-ZERKALO_INLINE Span<N> tube_span(const TubeData& tube, Vec3<O> from, Vec3<Direction<N>> direction) {
-    using R = Length<N>;
-    const Vec3<R> d = in_tube_axes(tube, direction);
+template <bool Tapered, Faces F, class N, class T, class O>
+ZERKALO_INLINE Span<N> tube_span(const T& tube, Vec3<O> from, Vec3<Direction<N>> direction) {
+    using L = Length<N>;
+    const Vec3<Direction<N>> d = in_tube_axes(tube, direction);
     // Recentre: t is measured from the point nearest to the centre, and moved back at the end.
-    const R t_nearest = -dot(from, d);
-    const Vec3<R> o = from + d * t_nearest;
+    const L t_nearest = -as<L>(dot(from, d));
+    const Vec3<L> o = from + as<L>(d * t_nearest);
     Span<N> span = lateral_span<Tapered, N>(tube, o, d);
     if (none(span.entry <= span.exit)) return span;
 
-    const R at_base = (R(-tube.half_height) - o.y) / d.y;
-    const R at_top = (R(tube.half_height) - o.y) / d.y;
-    const R enter = min(at_base, at_top);
-    const R leave = max(at_base, at_top);
-    if constexpr (F != Faces::none) span.face_in = select(enter > span.entry, R(kCapFace), R(kLateralFace));
-    if constexpr (F == Faces::both) span.face_out = select(leave < span.exit, R(kCapFace), R(kLateralFace));
+    const L at_base = quotient<L>(L(-tube.half_height) - o.y, d.y);
+    const L at_top = quotient<L>(L(tube.half_height) - o.y, d.y);
+    const L enter = min(at_base, at_top);
+    const L leave = max(at_base, at_top);
+    const auto cap = index_of<N>(kCapFace), side = index_of<N>(kLateralFace);
+    if constexpr (F != Faces::none) span.face_in = select(enter > span.entry, cap, side);
+    if constexpr (F == Faces::both) span.face_out = select(leave < span.exit, cap, side);
     span.entry = max(enter, span.entry) + t_nearest;
     span.exit = min(leave, span.exit) + t_nearest;
     return span;
@@ -108,17 +111,18 @@ ZERKALO_INLINE Span<N> tube_span(const TubeData& tube, Vec3<O> from, Vec3<Direct
 
 /// Unit normal on the given face at a point of the surface, outward on the lateral face, along the axis on a cap.
 /// At the apex of a cone the lateral normal is that of the axis.
-template <class R>
-ZERKALO_INLINE Vec3<R> tube_normal(const TubeData& tube, Vec3<R> p, R face) {
-    const Vec3<R> q = in_tube_axes(tube, p - tube.centre);
-    const R across = sqrt(q.x * q.x + q.z * q.z);
-    const auto axial = (face == R(kCapFace)) | (across == R(0));
-    const R scale = R(tube.normal_scale) / select(axial, R(1), across);
-    const R x = select(axial, R(0), q.x * scale);
-    const R y = select(axial, R(1), R(-tube.slope * tube.normal_scale));
-    const R z = select(axial, R(0), q.z * scale);
-    Vec3<R> n{x, y, z};
-    if (!tube.upright) n = tube.axis_x * x + tube.axis_y * y + tube.axis_z * z;
+template <class T, class L, class I>
+ZERKALO_INLINE Vec3<Direction<L>> tube_normal(const T& tube, Vec3<L> p, I face) {
+    using D = Direction<L>;
+    const Vec3<L> q = in_tube_axes(tube, p - tube.centre);
+    const L across = root<L>(q.x * q.x + q.z * q.z);
+    const auto axial = (face == index_of<L>(kCapFace)) | (across == L(0));
+    const auto scale = quotient<Inverse<L>>(D(tube.normal_scale), select(axial, L(1), across));
+    const D x = select(axial, D(0), product<D>(q.x, scale));
+    const D y = select(axial, D(1), D(product<D>(-tube.slope, tube.normal_scale)));
+    const D z = select(axial, D(0), product<D>(q.z, scale));
+    Vec3<D> n{x, y, z};
+    if (!tube.upright) n = as<D>(tube.axis_x * x + tube.axis_y * y + tube.axis_z * z);
     return n;
 }
 

@@ -34,6 +34,20 @@ TEST(FixedRoot, ChangesOnlyHalfWayBetweenTwoSquares) {
     }
 }
 
+TEST(FixedRoot, IsTheSameWithAndWithoutAFloatUnit) {
+    Random random(13);
+    for (int i = 0; i < 300000; ++i) {
+        // Of every size, and at both sides of a square.
+        const std::uint64_t r = (random.bits() >> 32) >> (i % 32);
+        const std::uint64_t near_square = r * r - static_cast<std::uint64_t>(i % 3 == 0);
+        const std::uint64_t x = i % 2 == 0 ? random.bits() >> (i % 64) : near_square;
+        if (x == 0) continue;
+        const std::uint64_t by_floats = settled_root(x, estimated_root_of_floats(x));
+        ASSERT_EQ(settled_root(x, estimated_root_of_integers(x)), by_floats) << x;
+        ASSERT_LE(estimated_root_of_integers(x), by_floats + 1) << x;
+    }
+}
+
 TEST(FixedRoot, HasHalfTheFractionAndTakesNegativesAsZero) {
     EXPECT_EQ(real(root<Len>(Area<One>(256))), real(far_away<Len>()));
     EXPECT_EQ(real(root<Len>(Area<One>(9))), 3);

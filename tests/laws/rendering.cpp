@@ -37,6 +37,17 @@ Image render(const Plan& plan, Isa isa) {
     return image;
 }
 
+Image render_fixed(const Scene& scene, const Settings& settings, Isa isa) {
+    const auto plan = std::make_unique<FixedPlan>();
+    const Status status = prepare(scene, settings, *plan);
+    if (!status.ok()) throw std::runtime_error(std::string(status.field) + ": " + status.reason);
+    Image image{plan->width, plan->height, {}, {}};
+    image.rgb.resize(std::size_t{3} * plan->width * plan->height);
+    const FixedTileFunction render_tile = kernel_for(*plan, isa);
+    for (int i = 0; i < tile_count(*plan); ++i) render_tile(*plan, tile_at(*plan, i), image.view(), image.rays);
+    return image;
+}
+
 Image render(const Scene& scene, const Settings& settings, Isa isa) {
     const auto plan = std::make_unique<Plan>();
     prepare_or_throw(scene, settings, *plan);

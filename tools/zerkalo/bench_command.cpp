@@ -42,7 +42,7 @@ void measure(benchmark::State& state, const Frame& frame, int first, int last, C
     const double start = cpu_nanoseconds();
     for ([[maybe_unused]] const auto iteration : state) {
         for (int tile = first; tile < last; ++tile) {
-            frame.kernel(*frame.plan, tile_at(*frame.plan, tile), frame.image, rays);
+            frame.render_tile(tile, rays);
         }
     }
     const double nanoseconds = cpu_nanoseconds() - start;
@@ -53,10 +53,10 @@ void measure(benchmark::State& state, const Frame& frame, int first, int last, C
     }
     state.counters["ns/ray"] = nanoseconds / static_cast<double>(count);
     state.counters["rays"] = static_cast<double>(count) / static_cast<double>(state.iterations());
-    state.counters["lanes"] = lanes_of(frame.isa);
+    state.counters["lanes"] = frame.lanes;
 }
 
-int tile_in_the_middle(const Plan& plan) {
+int tile_in_the_middle(const PlanHead& plan) {
     const int columns = (plan.width + kTileSide - 1) / kTileSide, rows = (plan.height + kTileSide - 1) / kTileSide;
     return rows / 2 * columns + columns / 2;
 }
@@ -76,10 +76,10 @@ void run_entry(benchmark::State& state, const Entry& entry) {
     Settings settings;
     settings.samples = entry.samples;
     const Frame frame = prepare_frame(*entry.scene, settings, entry.isa, 1);
-    const int tiles = tile_count(*frame.plan);
+    const int tiles = tile_count(frame.head());
     const bool one_tile = entry.extent == Extent::tile;
     // The tile in the middle of the picture, which shows more than background in most scenes.
-    const int first = one_tile ? tile_in_the_middle(*frame.plan) : 0;
+    const int first = one_tile ? tile_in_the_middle(frame.head()) : 0;
     measure(state, frame, first, one_tile ? first + 1 : tiles, entry.counted);
 }
 

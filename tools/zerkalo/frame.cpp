@@ -25,17 +25,16 @@ void add(RayCounts& sum, const RayCounts& more) {
 }
 
 RayCounts render_once(const Frame& frame, Progress* progress) {
-    const Plan& plan = *frame.plan;
     std::vector<ThreadCounts> counts(static_cast<std::size_t>(frame.threads));
     const auto render_tile = [&](int tile, int thread) {
         RayCounts& rays = counts[static_cast<std::size_t>(thread)].rays;
         const std::uint64_t before = progress ? total_of(rays) : 0;
-        frame.kernel(plan, tile_at(plan, tile), frame.image, rays);
+        frame.render_tile(tile, rays);
         if (!progress) return;
         progress->add_step(total_of(rays) - before);
         if (thread == 0) progress->show();
     };
-    thread_tiles(tile_count(plan), frame.threads, render_tile);
+    thread_tiles(tile_count(frame.head()), frame.threads, render_tile);
 
     RayCounts sum;
     for (const ThreadCounts& of_thread : counts) add(sum, of_thread.rays);
@@ -55,18 +54,29 @@ Failure refusal(const Status& status) {
 
 }  // namespace
 
-Frame prepare_frame(const Scene& scene, const Settings& settings, Isa isa, int threads) {
+Frame prepare_frame(const Scene& scene, const Settings& settings, Isa isa, int threads, Number number) {
     Frame frame;
-    frame.plan = std::make_unique<Plan>();
-    const Status status = prepare(scene, settings, *frame.plan);
+    Status status;
+    if (number == Number::fixed) {
+        frame.fixed_plan = std::make_unique<FixedPlan>();
+        status = prepare(scene, settings, *frame.fixed_plan);
+    } else {
+        frame.plan = std::make_unique<Plan>();
+        status = prepare(scene, settings, *frame.plan);
+    }
     if (!status.ok()) throw refusal(status);
-    const std::int32_t width = frame.plan->width, height = frame.plan->height;
+    const std::int32_t width = frame.head().width, height = frame.head().height;
     // Zeros touch every page now, so that no page fault is counted as rendering.
     frame.pixels =
         std::make_unique<float[]>(std::size_t{3} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     frame.image = {frame.pixels.get(), width, height, static_cast<std::ptrdiff_t>(3 * sizeof(float)) * width};
     frame.isa = isa;
-    frame.kernel = kernel_for(*frame.plan, isa);
+    if (frame.plan) {
+        frame.kernel = kernel_for(*frame.plan, isa);
+        frame.lanes = lanes_of(isa);
+    } else {
+        frame.fixed_kernel = kernel_for(*frame.fixed_plan, isa);
+    }
     frame.threads = threads;
     return frame;
 }
@@ -74,7 +84,7 @@ Frame prepare_frame(const Scene& scene, const Settings& settings, Isa isa, int t
 FrameCost render_frame(const Frame& frame, int repeat, bool progress) {
     using Clock = std::chrono::steady_clock;
     FrameCost cost;
-    Progress line(std::int64_t{repeat} * tile_count(*frame.plan));
+    Progress line(std::int64_t{repeat} * tile_count(frame.head()));
     for (int i = 0; i < repeat; ++i) {
         const Clock::time_point start = Clock::now();
         cost.rays = render_once(frame, progress ? &line : nullptr);
@@ -87,16 +97,16 @@ void render_until(const Frame& frame, const std::atomic<bool>& stopped) {
     const auto render_tile = [&](int tile, int) {
         RayCounts unused;
         if (stopped.load(std::memory_order_relaxed)) return;
-        frame.kernel(*frame.plan, tile_at(*frame.plan, tile), frame.image, unused);
+        frame.render_tile(tile, unused);
     };
-    thread_tiles(tile_count(*frame.plan), frame.threads, render_tile);
+    thread_tiles(tile_count(frame.head()), frame.threads, render_tile);
 }
 
 std::uint64_t total_of(const RayCounts& rays) {
     return rays.primary + rays.reflected + rays.lobe + rays.refracted + rays.shadow;
 }
 
-std::vector<std::string> features_of(const Plan& plan) {
+std::vector<std::string> features_of(const PlanHead& plan) {
     constexpr int kMostFeatures = 64;
     const char* names[kMostFeatures];
     const int count = feature_names(plan, names, kMostFeatures);

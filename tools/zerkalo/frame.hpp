@@ -10,14 +10,32 @@
 
 namespace zerkalo {
 
-/// A prepared frame. `image` covers all of plan->width x plan->height and is backed by `pixels`.
+/// What the kernels count with: float lanes, or fixed point.
+enum class Number { floating, fixed };
+
+/// A prepared frame. `image` covers all of the plan's picture and is backed by `pixels`.
 struct Frame {
-    std::unique_ptr<Plan> plan;
+    std::unique_ptr<Plan> plan;  // one of the two
+    std::unique_ptr<FixedPlan> fixed_plan;
     std::unique_ptr<float[]> pixels;
     LinearImage image;
     Isa isa = Isa::scalar;
+    int lanes = 1;
     TileFunction kernel = nullptr;
+    FixedTileFunction fixed_kernel = nullptr;
     int threads = 1;
+
+    const PlanHead& head() const {
+        if (plan) return *plan;
+        return *fixed_plan;
+    }
+    void render_tile(int tile, RayCounts& rays) const {
+        if (plan) {
+            kernel(*plan, tile_at(*plan, tile), image, rays);
+        } else {
+            fixed_kernel(*fixed_plan, tile_at(*fixed_plan, tile), image, rays);
+        }
+    }
 };
 
 /// What rendering cost: seconds of all tiles, one entry a repetition, and the rays of one repetition.
@@ -28,7 +46,8 @@ struct FrameCost {
 
 /// Prepares the plan and a picture whose pages are already touched. Precondition: available(isa).
 /// Throws Failure: usage when a setting is refused, scene_invalid when the scene is.
-Frame prepare_frame(const Scene& scene, const Settings& settings, Isa isa, int threads);
+Frame prepare_frame(const Scene& scene, const Settings& settings, Isa isa, int threads,
+                    Number number = Number::floating);
 
 /// Renders the whole picture `repeat` times, with a progress line when `progress` is set.
 FrameCost render_frame(const Frame& frame, int repeat, bool progress);
@@ -40,7 +59,7 @@ void render_until(const Frame& frame, const std::atomic<bool>& stopped);
 std::uint64_t total_of(const RayCounts& rays);
 
 /// The features that the plan uses.
-std::vector<std::string> features_of(const Plan& plan);
+std::vector<std::string> features_of(const PlanHead& plan);
 
 /// The middle one of `values`, the mean of the middle two of an even number. Precondition: at least one.
 double median(std::vector<double> values);

@@ -60,11 +60,11 @@ std::string json_report(const RenderOptions& options, const Frame& frame, const 
         const auto [min, max] = std::minmax_element(cost.seconds.begin(), cost.seconds.end());
         json.integer("repeat", options.repeat).number("seconds_min", *min).number("seconds_max", *max);
     }
-    json.text("isa", name_of(frame.isa)).integer("lanes", lanes_of(frame.isa)).text("number", options.number);
+    json.text("isa", name_of(frame.isa)).integer("lanes", frame.lanes).text("number", options.number);
     json.integer("threads", frame.threads).integer("samples", options.settings.samples);
     json.integer("antialias", options.settings.antialias).integer("depth_limit", options.settings.depth_limit);
     json.text("estimator", options.estimator).flag("exact_plan", options.settings.exact_plan);
-    json.object("rays", rays_json(cost.rays)).list("features", features_of(*frame.plan));
+    json.object("rays", rays_json(cost.rays)).list("features", features_of(frame.head()));
     json.text("hash", format("%016llx", static_cast<unsigned long long>(hash_of(frame.image))));
     return json.integer("peak_bytes", peak_memory()).text("output", options.output).str() + "\n";
 }
@@ -72,7 +72,7 @@ std::string json_report(const RenderOptions& options, const Frame& frame, const 
 std::string text_report(const RenderOptions& options, const Frame& frame, const FrameCost& cost) {
     const double seconds = median(cost.seconds);
     const double rays = static_cast<double>(total_of(cost.rays));
-    const int lanes = lanes_of(frame.isa);
+    const int lanes = frame.lanes;
     return format("%s: %dx%d in %.3f ms, %.1f Mray/s (%s, %d lane%s, %d thread%s)\n", options.output.c_str(),
                   frame.image.width, frame.image.height, 1e3 * seconds, 1e-6 * rays / seconds, name_of(frame.isa),
                   lanes, lanes == 1 ? "" : "s", frame.threads, frame.threads == 1 ? "" : "s");
@@ -95,7 +95,8 @@ ExitCode run_render(const RenderOptions& options) {
     WholeFile file;
     open_picture(file, options.output);
 
-    const Frame frame = prepare_frame(*input.scene, options.settings, isa, options.threads);
+    const Frame frame = prepare_frame(*input.scene, options.settings, isa, options.threads,
+                                      options.number == "fixed" ? Number::fixed : Number::floating);
     const FrameCost cost = render_frame(frame, options.repeat, progress_wanted());
     write_picture(file, frame.image, kind);
     if (options.output != "-") print_result((options.json ? json_report : text_report)(options, frame, cost));
@@ -119,8 +120,8 @@ void add_render_command(CLI::App& app, Action& action) {
     command->add_option("--estimator", options->estimator, "How lobe rays are placed: fibonacci")
         ->check(one_of({"fibonacci"}))
         ->type_name("NAME");
-    command->add_option("--number", options->number, "Number type of the kernels: float")
-        ->check(one_of({"float"}))
+    command->add_option("--number", options->number, "Number type of the kernels: float or fixed")
+        ->check(one_of({"float", "fixed"}))
         ->type_name("NAME");
     add_isa_option(*command, options->isa);
     add_threads_option(*command, options->threads);

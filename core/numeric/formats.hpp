@@ -1,0 +1,144 @@
+// The numbers of the plan as plain data: float, or fixed-point formats. Outside of the instruction sets' namespaces, so
+// that all kernels read one plan; the arithmetic is theirs (number.hpp, fixed.hpp).
+#pragma once
+
+#include "core/numeric/isa.hpp"
+
+#include <concepts>
+#include <cstdint>
+#include <limits>
+
+namespace zerkalo {
+
+/// W integers, or W booleans. A width of 1 is the integer itself, never this.
+template <class T, int W>
+struct IntLanes {
+    static_assert(W > 1);
+    T v[W];
+
+    IntLanes() = default;
+    /// The same in all lanes.
+    ZERKALO_INLINE constexpr explicit IntLanes(T uniform) {
+        for (int k = 0; k < W; ++k) v[k] = uniform;
+    }
+};
+
+template <class X>
+struct IntLaneTraits {
+    using Element = X;
+    static constexpr int kWidth = 1;
+};
+template <class T, int W>
+struct IntLaneTraits<IntLanes<T, W>> {
+    using Element = T;
+    static constexpr int kWidth = W;
+};
+template <class X>
+using LaneElement = typename IntLaneTraits<X>::Element;
+template <class X>
+constexpr int kLanesOf = IntLaneTraits<X>::kWidth;
+
+template <class T, int W>
+struct IntLanesOf { using type = IntLanes<T, W>; };
+template <class T>
+struct IntLanesOf<T, 1> { using type = T; };
+
+/// W values of type T: T itself at width 1.
+template <class T, int W>
+using Ints = typename IntLanesOf<T, W>::type;
+
+/// A plain integer in all lanes.
+template <class X>
+ZERKALO_INLINE constexpr X in_all_lanes(LaneElement<X> uniform) {
+    return X(uniform);
+}
+
+/// The largest value that a format of this type holds; the smallest is its negative, so that -x always exists.
+template <std::signed_integral T>
+constexpr T kLargest = std::numeric_limits<T>::max();
+
+/// A number that is an integer times 2^-FracBits: see fixed.hpp.
+/// Rep: std::int32_t, std::int64_t or lanes of them. The raw integers never hold the most negative value.
+template <class Rep, int FracBits>
+struct Fixed {
+    using Element = LaneElement<Rep>;
+    static constexpr int kFraction = FracBits;
+    static constexpr int kValueBits = std::numeric_limits<Element>::digits;
+    static_assert(std::same_as<Element, std::int32_t> || std::same_as<Element, std::int64_t>);
+    static_assert(FracBits >= 0 && FracBits < kValueBits);
+
+    Rep raw;
+
+    Fixed() = default;
+    /// A whole number, the same in all lanes, held at the ends of the format.
+    template <std::same_as<int> Whole>
+    ZERKALO_INLINE constexpr explicit Fixed(Whole whole) : raw(in_all_lanes<Rep>(raw_of(whole))) {}
+    /// A uniform number of the same format in all lanes.
+    template <std::same_as<LaneElement<Rep>> U>
+        requires(kLanesOf<Rep> > 1)
+    ZERKALO_INLINE constexpr Fixed(Fixed<U, FracBits> uniform) : raw(in_all_lanes<Rep>(uniform.raw)) {}
+
+    /// The number with this integer; the most negative integer stands for the one above it.
+    static ZERKALO_INLINE constexpr Fixed from_raw(Rep raw) {
+        Fixed result{};
+        if constexpr (kLanesOf<Rep> == 1) {
+            result.raw = raw < -kLargest<Element> ? -kLargest<Element> : raw;
+        } else {
+            for (int k = 0; k < kLanesOf<Rep>; ++k) {
+                result.raw.v[k] = raw.v[k] < -kLargest<Element> ? -kLargest<Element> : raw.v[k];
+            }
+        }
+        return result;
+    }
+    static ZERKALO_INLINE constexpr Fixed far_away() { return from_raw(in_all_lanes<Rep>(kLargest<Element>)); }
+
+private:
+    static ZERKALO_INLINE constexpr Element raw_of(int whole) {
+        constexpr Element kMost = kLargest<Element> >> FracBits;
+        if (whole > kMost) return kLargest<Element>;
+        if (whole < -kMost) return -kLargest<Element>;
+        return static_cast<Element>(Element{whole} * (Element{1} << FracBits));
+    }
+};
+
+/// Every constant of a plan is a float.
+struct FloatFormats {
+    static constexpr bool kFixed = false;
+    using Length = float;
+    using Direction = float;
+    using Area = float;
+    using Curvature = float;
+    using Inverse = float;
+    using Ratio = float;
+    using Index = float;
+    using Weight = float;
+    using Radiance = float;
+    using Exponent = float;
+    using Share = float;
+    using View = float;
+    using FarStep = float;
+    using Edge = float;
+    using PixelBound = float;
+};
+
+/// Fixed point, one number: which format a quantity has.
+struct FixedFormats {
+    static constexpr bool kFixed = true;
+    using Length = Fixed<std::int32_t, 27>;     // -16..16, step 7.5e-9
+    using Direction = Fixed<std::int32_t, 30>;  // -2..2, step 9.3e-10
+    using Area = Fixed<std::int64_t, 54>;       // -512..512: a length times a length
+    using Curvature = Fixed<std::int32_t, 27>;
+    using Inverse = Fixed<std::int64_t, 36>;    // 1 / length, to 1.3e8
+    using Ratio = Fixed<std::int32_t, 27>;      // of refractive indices, slopes
+    using Index = Fixed<std::int32_t, 0>;
+    using Weight = Direction;                   // shares of light: 1 is exact
+    using Radiance = Fixed<std::int32_t, 24>;   // to 128, step 6e-8
+    using Exponent = Fixed<std::int64_t, 24>;   // n of a cosine power, to 5e11
+    using Share = Fixed<std::int64_t, 61>;      // 1 / (n + 1)
+    using View = Fixed<std::int64_t, 60>;       // a camera ray before normalising
+    using FarStep = Fixed<std::int64_t, 54>;    // what a pixel moves a far camera's origin
+    using Edge = Direction;                     // of an outline, as unit vectors
+    using PixelBound = std::int32_t;
+};
+
+}  // namespace zerkalo

@@ -1,0 +1,96 @@
+// A tile of the fixed-point kernel: its colours until they are written, and the writing as float, by integers alone.
+#pragma once
+
+#include "core/render/tile.hpp"
+
+namespace zerkalo::inline ZERKALO_ISA {
+
+/// Sums of camera samples: to 8e6, step 9e-13.
+using PixelSum = Fixed<std::int64_t, 40>;
+
+/// Linear colours of a tile's pixels, row-major over the full tile side; padded for whole packets.
+struct FixedColours {
+    std::int64_t r[kTilePixels], g[kTilePixels], b[kTilePixels];
+};
+
+template <class R>
+struct TileColoursOf { using type = TileColours; };
+template <int W>
+struct TileColoursOf<FixedNumbers<W>> { using type = FixedColours; };
+template <class R>
+using TileColoursFor = typename TileColoursOf<R>::type;
+
+template <class A, int F>
+ZERKALO_INLINE void put_channel(std::int64_t* pixels, Fixed<A, F> c, bool add) {
+    for (int k = 0; k < kLanesOf<A>; ++k) {
+        const auto one = as<PixelSum>(with_fraction<F>(lane_of(c.raw, k)));
+        pixels[k] = add ? (one + with_fraction<PixelSum::kFraction>(pixels[k])).raw : one.raw;
+    }
+}
+template <class A, int F>
+ZERKALO_INLINE void put(FixedColours& colours, int first, Rgb<Fixed<A, F>> c, bool add) {
+    put_channel(colours.r + first, c.r, add);
+    put_channel(colours.g + first, c.g, add);
+    put_channel(colours.b + first, c.b, add);
+}
+
+/// Divides the sums by the number of camera samples.
+template <class R>
+ZERKALO_INLINE void average(FixedColours& colours, std::int32_t antialias) {
+    for (std::int32_t i = 0; i < kTilePixels; ++i) {
+        colours.r[i] = rounded_quotient<std::int64_t, 0>(colours.r[i], antialias);
+        colours.g[i] = rounded_quotient<std::int64_t, 0>(colours.g[i], antialias);
+        colours.b[i] = rounded_quotient<std::int64_t, 0>(colours.b[i], antialias);
+    }
+}
+
+/// The bits of the float nearest to x 2^exponent of x >= 0, ties to even.
+ZERKALO_INLINE std::uint32_t float_bits_of(std::int64_t x, int exponent) {
+    if (x <= 0) return 0;
+    const auto size = static_cast<std::uint64_t>(x);
+    const int zeros = leading_zeros(size);
+    const std::uint64_t m = size << zeros;  // 2^63 <= m: 24 bits stay, 40 go
+    constexpr std::uint64_t kHalf = std::uint64_t{1} << 39, kRest = (std::uint64_t{1} << 40) - 1;
+    std::uint64_t kept = m >> 40;
+    const std::uint64_t rest = m & kRest;
+    kept += rest > kHalf || (rest == kHalf && (kept & 1)) ? 1u : 0u;
+    // A carry into bit 24 raises the exponent by itself.
+    const int biased = 127 + 63 - zeros + exponent;
+    return (static_cast<std::uint32_t>(biased - 1) << 23) + static_cast<std::uint32_t>(kept);
+}
+
+/// The tile's part of the picture.
+template <class R>
+ZERKALO_INLINE void write_tile(const FixedPlan& plan, const FixedColours& colours, const Rect& tile,
+                               const LinearImage& image) {
+    const int exponent = plan.exposure - PixelSum::kFraction;
+    for (std::int32_t y = 0; y < tile.height; ++y) {
+        float* out = image.row(tile.top + y) + 3 * tile.left;
+        for (std::int32_t x = 0; x < tile.width; ++x, out += 3) {
+            const std::int32_t pixel = y * kTileSide + x;
+            const std::uint32_t bits[3] = {float_bits_of(colours.r[pixel], exponent),
+                                           float_bits_of(colours.g[pixel], exponent),
+                                           float_bits_of(colours.b[pixel], exponent)};
+            __builtin_memcpy(out, bits, sizeof bits);
+        }
+    }
+}
+
+/// A tile that sees nothing: the background, as pixels of rendered tiles have it.
+template <class R>
+ZERKALO_INLINE void fill_tile(const FixedPlan& plan, const Rect& tile, const LinearImage& image) {
+    using One = FixedNumbers<1>;
+    const Rgb<LightSum<One>> light = plan.background * Rgb<Weight<One>>{Weight<One>(1), Weight<One>(1), Weight<One>(1)};
+    FixedColours colours;
+    for (std::int32_t pixel = 0; pixel < kTilePixels; ++pixel) put(colours, pixel, light, false);
+    write_tile<R>(plan, colours, tile, image);
+}
+
+template <class R>
+ZERKALO_INLINE TileView view_of_tile(const FixedPlan& plan, const Rect& tile) {
+    TileView view{};
+    view.seen = seen_by_tile<R>(plan, tile);
+    return view;
+}
+
+}  // namespace zerkalo::inline ZERKALO_ISA
