@@ -131,7 +131,7 @@ TEST_P(P07, LightThatMeetsTheSurfaceHeadOnGoesStraightOn) {
 
 TEST_P(P08, ReflectionIsTotalFromTheCriticalAngleOn) {
     // The sine of the angle is known to a few roundings, and no better.
-    constexpr Real80 kRoundings = 6;
+    constexpr Real80 kRoundings = 3;
     for (const float ratio : {1.0625f, 4.0f / 3, 1.5f, 2.4f}) {
         PointList d, n;
         std::vector<bool> total;

@@ -92,7 +92,7 @@ TEST_P(P29, WhatIsReflectedAndWhatGoesThroughAreOne) {
 }
 
 TEST_P(P29, HeadOnItIsTheSquareOfTheRatioOfDifferenceAndSum) {
-    // Relative to itself: at eta = 1 + 2^-20 the textbook's eta a - b keeps three digits.
+    // Relative to itself.
     constexpr Real80 kRoundings = 8;
     Incidence rays;
     for (const float eta : kRatios) rays.add({0, 0, -1}, {0, 0, 1}, eta);
@@ -107,6 +107,29 @@ TEST_P(P29, HeadOnItIsTheSquareOfTheRatioOfDifferenceAndSum) {
         EXPECT_NEAR(shares.both[k], double(share), double(kRoundings * kU * share)) << "eta " << rays.eta[k];
     }
     for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(shares.both[first_exact + k], exact_shares[k]) << exact_ratios[k];
+}
+
+TEST_P(P29, KeepsItsDigitsWhereTheIndicesAreNearlyEqual) {
+    // Relative to itself, where the textbook's eta a - b keeps a few digits of seven and squares what is wrong.
+    constexpr Real80 kRoundings = 32;
+    Incidence rays;
+    for (int power = 2; power <= 20; ++power) {
+        for (int step = 0; step <= 24; ++step) {
+            for (const float eta : {1 - std::ldexp(1.0f, -power), 1 / (1 - std::ldexp(1.0f, -power))}) {
+                add_at_angle(rays, 0.05L * step, eta);
+            }
+        }
+    }
+    rays.pad();
+    const Shares shares = shares_of(rays);
+    for (std::size_t k = 0; k < rays.d.size(); ++k) {
+        const Angles at = angles_of(rays, k);
+        if (at.behind2 < 0.05L) continue;
+        const Real80 eta = rays.eta[k], a = at.before, b = std::sqrt(at.behind2);
+        const Real80 across = (eta * a - b) / (eta * a + b), within = (a - eta * b) / (a + eta * b);
+        const Real80 share = (across * across + within * within) / 2;
+        ASSERT_NEAR(shares.both[k], double(share), double(kRoundings * kU * share / b)) << text_of(rays, k);
+    }
 }
 
 TEST_P(P29, GrazingLightIsReflectedWhole) {
