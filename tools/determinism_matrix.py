@@ -35,7 +35,8 @@ BUILDS = (
     Build("clang_sanitized", "clang++-14", f"-O1 {SANITIZERS}"),
     Build("aarch64_O1", "aarch64-linux-gnu-g++", "-O1", "aarch64.cmake", "qemu-aarch64"),
     Build("aarch64_O3", "aarch64-linux-gnu-g++", "-O3", "aarch64.cmake", "qemu-aarch64"),
-    Build("armhf_O2", "arm-linux-gnueabihf-g++", "-O2", "armhf.cmake", "qemu-arm"),
+    # The lane library has no form for a processor without vectors; the kernel is the scalar one.
+    Build("armhf_O2", "arm-linux-gnueabihf-g++", "-O2 -mfpu=neon", "armhf.cmake", "qemu-arm"),
     Build("contracted", "clang++-14", "-O1 -mfma", breaks="-ffp-contract=fast"),
 )
 
@@ -113,21 +114,27 @@ def hash_table(reference):
 
 
 def configuration_table(found, builds):
-    """One row a build; a cell lists what agrees, and names the first stage of what does not."""
+    """One row a build; a cell lists what agrees, then what does not, by the first stage that differs."""
     lines = ["| build | instruction sets, tiles row by row, one thread | tile order:threads, widest instruction set |",
              "|---|---|---|"]
     for build in builds:
-        cells = ([], [])
+        cells = ({}, {})
         for (name, isa, schedule), difference in found.items():
-            if name != build.name:
-                continue
-            told = isa if schedule == "rows:1" else schedule
-            if difference:
-                scene, number, stage = difference
-                told = f"**{told} differs: {stage} of {scene}, {number}**"
-            cells[schedule != "rows:1"].append(told)
-        lines.append(f"| `{build.title()}` | {', '.join(cells[0])} | {', '.join(cells[1])} |")
+            if name == build.name:
+                in_turn = schedule == "rows:1"
+                cells[not in_turn].setdefault(difference, []).append(isa if in_turn else schedule)
+        lines.append(f"| `{build.title()}` | {cell_text(cells[0])} | {cell_text(cells[1])} |")
     return lines
+
+
+def cell_text(names_by_difference):
+    """`names_by_difference`: {None or (scene, number type, stage): names}"""
+    parts = [", ".join(names_by_difference.get(None, []))]
+    for difference, names in names_by_difference.items():
+        if difference:
+            scene, number, stage = difference
+            parts.append(f"**differing: {', '.join(names)} ({stage} of {scene}, {number})**")
+    return "; ".join(filter(None, parts))
 
 
 def judged(found, builds):

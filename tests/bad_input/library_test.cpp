@@ -14,7 +14,7 @@ namespace zerkalo::bad_input {
 namespace {
 
 // Without ZERKALO_ALL_PAIRS in the environment so many pairs a scene are drawn; with it all are tried.
-constexpr int kPairs = 12000;
+constexpr int kPairs = 100000;
 constexpr unsigned kSeed = 20261123;
 constexpr int kShownFailures = 20;
 

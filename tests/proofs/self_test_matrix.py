@@ -38,7 +38,7 @@ class Matrix(unittest.TestCase):
             odd = GOOD.replace(lines("avx2", scene="cone"), lines("avx2", scene="cone", changed=later))
             text, good = self.report(one=GOOD, two=odd)
             self.assertFalse(good)
-            self.assertIn(f"scalar, **avx2 differs: {matrix.STAGES[first]} of cone, float**", text)
+            self.assertIn(f"| scalar; **differing: avx2 ({matrix.STAGES[first]} of cone, float)** |", text)
             self.assertIn("5 with these hashes, 1 with others", text)
 
     def test_the_earliest_stage_of_all_pictures_is_named(self):
@@ -49,7 +49,7 @@ class Matrix(unittest.TestCase):
         odd = GOOD.replace(lines("avx2", "shuffled:3"), lines("avx2", "shuffled:3", changed=("radiance",)))
         text, good = self.report(one=GOOD, two=odd)
         self.assertFalse(good)
-        self.assertIn("**shuffled:3 differs: radiance of ball, float**", text)
+        self.assertIn("**differing: shuffled:3 (radiance of ball, float)**", text)
 
     def test_a_picture_that_is_missing_is_rejected(self):
         text, good = self.report(one=GOOD, two=lines("scalar"))

@@ -11,12 +11,12 @@ const std::string kMesh = "[[solid]]\nkind = 'mesh'\nposition = [0, 0, 0]\n";
 
 TEST(SceneFile, WhatOnlyTheWholeSceneTellsIsShownAtItsKey) {
     const BadScene cases[] = {
-        {kTop + "[camera]\nview = [0, 0, -1]\nposition = ^[1e15, 0, 0]\nmove = [1e15, 0, 0]\nvertical_fov_deg = 40\n",
-         "\"position\" must", ""},
+        {kTop + "[camera]\nview = [0, 0, -1]\nposition = [1e15, 0, 0]\nmove = ^[1e15, 0, 0]\nvertical_fov_deg = 40\n",
+         "\"move\" leads farther", ""},
         {kTop + "[camera]\nview = [0, 0, -1]\nposition = [0, 0, 0]\nvertical_fov_deg = ^5e-324\n",
          "\"vertical_fov_deg\" must", ""},
-        {kHead + "[[light]]\nposition = [0, 0, 0]\n[[light]]\nmove = [-1e15, 0, 0]\nposition = ^[-1e15, 0, 0]\n",
-         "\"position\" must", ""},
+        {kHead + "[[light]]\nposition = [0, 0, 0]\n[[light]]\nmove = ^[-1e15, 0, 0]\nposition = [-1e15, 0, 0]\n",
+         "\"move\" leads farther", ""},
         {kHead + kSecond + "curvature_radius = ^1\nboundary = { shape = 'disc', radius = 1 }\n",
          "\"curvature_radius\" must be greater", ""},
         {kHead + kSecond + "curvature_radius = ^-2\nboundary = { shape = 'rectangle', width = 4, height = 1 }\n",

@@ -67,36 +67,50 @@ std::uint64_t radiance_hash(const Plan& plan, Isa isa, const Schedule& schedule)
     return hash_of(image);
 }
 
-void print(Isa isa, const Schedule& schedule, const char* scene, const char* stage, std::uint64_t hash) {
-    std::printf("%s %s:%d %s float %s %016" PRIx64 "\n", name_of(isa), schedule.order, schedule.threads, scene, stage,
-                hash);
+/// Where a hash belongs, but for its stage.
+struct Place {
+    const char* scene;
+    const char* number;
+    Isa isa;
+    Schedule schedule;
+};
+
+void print(const Place& at, const char* stage, std::uint64_t hash) {
+    std::printf("%s %s:%d %s %s %s %016" PRIx64 "\n", name_of(at.isa), at.schedule.order, at.schedule.threads, at.scene,
+                at.number, stage, hash);
 }
 
-void print_stages(const Plan& plan, Isa isa, const char* scene) {
+void print_stages(const Plan& plan, const Place& at) {
     StageImages images;
-    kStages[static_cast<int>(isa)](plan, images);
+    kStages[static_cast<int>(at.isa)](plan, images);
     for (int stage = 0; stage < kStageCount; ++stage) {
         std::vector<float>& values = images.values[stage];
-        // A picture of one column or three: the hash is over floats, three a pixel.
+        // As a picture of one column: three floats a pixel.
         values.resize((values.size() + 2) / 3 * 3);
         const auto rows = static_cast<std::int32_t>(values.size() / 3);
-        print(isa, kInTurn, scene, kStageNames[stage], hash_of(LinearImage{values.data(), 1, rows, 12}));
+        print(at, kStageNames[stage], hash_of(LinearImage{values.data(), 1, rows, 12}));
     }
 }
 
+/// Everything about one plan: its stages and pictures by every instruction set, its pictures by every schedule.
+void print_plan(const Plan& plan, const char* scene, const char* number) {
+    for (int i = 0; i < kIsaCount; ++i) {
+        const Isa isa = static_cast<Isa>(i);
+        if (!available(isa)) continue;
+        print_stages(plan, {scene, number, isa, kInTurn});
+        print({scene, number, isa, kInTurn}, "radiance", radiance_hash(plan, isa, kInTurn));
+    }
+    for (const Schedule& schedule : kSchedules) {
+        print({scene, number, best_isa(), schedule}, "radiance", radiance_hash(plan, best_isa(), schedule));
+    }
+}
+
+// A further number type is a further plan of the same scene, under its own name.
 bool print_scene(const NamedScene& named) {
     const auto plan = std::make_unique<Plan>();
     const Status status = prepare(named.scene, kSettings, *plan);
     if (!status.ok()) return std::fprintf(stderr, "%s: %s %s\n", named.name, status.field, status.reason), false;
-    for (int i = 0; i < kIsaCount; ++i) {
-        const Isa isa = static_cast<Isa>(i);
-        if (!available(isa)) continue;
-        print_stages(*plan, isa, named.name);
-        print(isa, kInTurn, named.name, "radiance", radiance_hash(*plan, isa, kInTurn));
-    }
-    for (const Schedule& schedule : kSchedules) {
-        print(best_isa(), schedule, named.name, "radiance", radiance_hash(*plan, best_isa(), schedule));
-    }
+    print_plan(*plan, named.name, "float");
     return true;
 }
 
