@@ -56,6 +56,10 @@ def copy_project(to):
         shutil.copymode(source, target)
 
 
+def contains_any(name, words):
+    return not words or any(word in name for word in words)
+
+
 def rank(folder_and_program):
     folder, program = folder_and_program
     return (FIRST.index(folder) if folder in FIRST else len(FIRST)), program
@@ -64,7 +68,7 @@ def rank(folder_and_program):
 class Project:
     """A copy of the project, one lane wide and hardly optimised, with the laws that may see a wrong formula."""
 
-    def __init__(self, work, jobs):
+    def __init__(self, work, jobs, words):
         self.tree, self.build, self.jobs = work / "tree", work / "build", jobs
         self.tree.mkdir(parents=True, exist_ok=True)
         copy_project(self.tree)
@@ -75,7 +79,9 @@ class Project:
         targets = self.call(["ninja", "-C", self.build, "-t", "targets", "all"]).stdout
         programs = re.findall(r"^(tests/(\w+)/\w+): CXX_EXECUTABLE_LINKER", targets, re.MULTILINE)
         asked = [(folder, program) for program, folder in programs if folder not in OTHER_FOLDERS]
-        self.programs = [program for _, program in sorted(asked, key=rank)]
+        self.programs = [program for _, program in sorted(asked, key=rank) if contains_any(program, words)]
+        if not self.programs:
+            raise Broken(f"no test program is called like {' or '.join(words)}")
         self.names = [program.rpartition("/")[2] for program in self.programs]
 
     @staticmethod
@@ -143,7 +149,7 @@ def table(results):
 
 
 def run_all(mutants, options):
-    project = Project(pathlib.Path(options.work).resolve(), options.jobs)
+    project = Project(pathlib.Path(options.work).resolve(), options.jobs, options.ask)
     print(f"{len(mutants)} mutants against {', '.join(project.names)}", flush=True)
     unchanged = project.judge()
     if unchanged.by != "survived":
@@ -161,6 +167,8 @@ def run_all(mutants, options):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", action="append", default=[], metavar="WORD", help="mutants with WORD in their name")
+    parser.add_argument("--ask", action="append", default=[], metavar="WORD",
+                        help="ask only the test programs with WORD in their name: quicker, but more survive")
     parser.add_argument("--check", action="store_true", help="only whether every mutant applies")
     parser.add_argument("--work", default=ROOT / "build" / "mutants", help="folder of the copy (build/mutants)")
     parser.add_argument("--jobs", default="2", help="processes that compile (2)")
@@ -172,7 +180,7 @@ def main():
         if options.check:
             print(f"{len(mutants)} mutants apply")
             return 0
-        chosen = [m for m in mutants if not options.only or any(word in m.name for word in options.only)]
+        chosen = [mutant for mutant in mutants if contains_any(mutant.name, options.only)]
         results = run_all(chosen, options)
     except (mutant_list.BadList, Broken) as problem:
         print(problem, file=sys.stderr)
