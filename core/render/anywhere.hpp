@@ -93,10 +93,23 @@ ZERKALO_INLINE MirrorHit<FloatNumbers<R>> any_mirror_hit(const Plan& plan, int m
     return hit;
 }
 
-/// The nearest surface with t > t_min; t is infinite and id -1 where there is none.
+/// Camera rays of a camera on a surface leave it like any other ray: outwards past it, or through the solid.
+template <class R>
+ZERKALO_INLINE Departure<R> departure_of_camera(const CameraPlan& camera, Vec3<R> d) {
+    return {R(camera.stands_on), R(-1), Mask<R>(dot(camera.out_of_it, d) < R(0))};
+}
+
+/// Is the camera so close to sphere k that b^2 - c is the better discriminant?
+ZERKALO_INLINE bool is_close_sphere(const Plan& plan, int k) {
+    const SolidPlan& solid = plan.solids[k];
+    return solid.shape == ShapeKind::sphere && plan.camera_origin.solids[k].c < solid.sphere.radius2;
+}
+
+/// The nearest surface with t > t_min; t is infinite and id -1 where there is none. `close`: these are camera rays, and
+/// the camera is inside or close to a solid.
 template <class R>
 ZERKALO_ONCE AnyHit<R> nearest_anywhere(const Plan& plan, CandidateMask candidates, Vec3<R> o, Vec3<R> d,
-                                        const Departure<R>& from, Mask<R> active, R t_min) {
+                                        const Departure<R>& from, Mask<R> active, R t_min, bool close) {
     AnyHit<R> best{far_away<R>(), R(-1), R(0), Mask<R>(false), R(0), R(0), R(0)};
     for (CandidateMask left = solids_in(candidates); left != 0; left &= left - 1) {
         const int k = first_of(left);
@@ -106,6 +119,9 @@ ZERKALO_ONCE AnyHit<R> nearest_anywhere(const Plan& plan, CandidateMask candidat
         if (none(near)) continue;
         if (solid.shape == ShapeKind::mesh) {
             keep_mesh(best, plan, solid, o, d, from, near, t_min);
+        } else if (close && is_close_sphere(plan, k)) {
+            const auto seen = sphere_origin<R>(solid, k, plan.camera_origin);
+            keep_convex(best, sphere_span_close<FloatNumbers<R>>(seen, d), solid, from, near, t_min);
         } else {
             with_span<Faces::both>(plan, k, PointOrigin<R>{o}, d,
                                    [&](const Span<FloatNumbers<R>>& span)

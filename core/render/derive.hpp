@@ -41,8 +41,22 @@ void hull_of(const Scene& scene, const Solid& solid, Hull& hull);
 /// Fills plan.solids[k] and the solid's share of the pools; `slabs`, `triangles`: pool entries in use, advanced.
 void derive_solid(const Scene& scene, std::int32_t k, std::int32_t& slabs, std::int32_t& triangles, Plan& plan);
 
-/// A lower bound of the distance from a place in the world to the solid's surface from outside; negative inside. Not for meshes.
-double clearance(const Plan& plan, const SolidPlan& solid, const Vec3<double>& world);
+/// A lower bound of the distance from a place in the world to the solid's surface from outside, negative inside, and the outward normal
+/// of the face that sets it. Not for meshes.
+struct Clearance {
+    double distance;
+    Vec3<double> normal;
+};
+Clearance clearance_of(const Plan& plan, const SolidPlan& solid, const Vec3<double>& world);
+
+/// Is a place in the world inside of a convex solid, or nearer to it than a small share of its size?
+bool near_or_inside(const Plan& plan, const Vec3<double>& world);
+
+/// The surface that the camera stands on, if any; needs the plan's solids and mirrors.
+void derive_standing(const Scene& scene, Plan& plan);
+
+/// For a camera inside or close to solids: what spheres are from there, from double instead of float.
+void derive_close_spheres(const Scene& scene, Plan& plan);
 
 /// Right, v, n of a mirror.
 struct MirrorFrame {

@@ -227,28 +227,4 @@ void derive_solid(const Scene& scene, std::int32_t k, std::int32_t& slabs, std::
                      float(m.refractive_index), m.fresnel};
 }
 
-double clearance(const Plan& plan, const SolidPlan& solid, const Vec3<double>& world) {
-    const Point p = world - plan.origin;
-    if (solid.shape == ShapeKind::sphere) {
-        return length(p - solid.sphere.centre) - square_root(double(solid.sphere.radius2));
-    }
-    if (solid.shape == ShapeKind::tube) {
-        const TubeData& tube = solid.tube;
-        const Point f = p - tube.centre;
-        const double y = dot(tube.axis_y, f);
-        const double across = length(cross(f, tube.axis_y));
-        const double caps = magnitude(y) - tube.half_height;
-        const double side = (across - (tube.mid_radius + double(tube.slope) * y)) * tube.normal_scale;
-        return caps > side ? caps : side;
-    }
-    double farthest = -kInfinity;
-    for (std::int32_t s = 0; s < solid.half_spaces.slab_count; ++s) {
-        const Slab& slab = plan.slabs[solid.half_spaces.first_slab + s];
-        const double along = dot(slab.n, p - solid.half_spaces.centre);
-        if (along - slab.hi > farthest) farthest = along - slab.hi;
-        if (slab.lo - along > farthest) farthest = slab.lo - along;
-    }
-    return farthest;
-}
-
 }  // namespace zerkalo

@@ -19,7 +19,8 @@ ZERKALO_INLINE PathPacket<R> no_continuation(const PathPacket<R>& ray) {
 template <class R>
 ZERKALO_INLINE void trace_one(const Plan& plan, const PathPacket<R>& ray, CandidateMask candidates, R t_min,
                               const PathKey<R>& key, PathStack<R>& stack, Rgb<R>& sum, TileCounts& counts) {
-    const AnyHit<R> hit = nearest_anywhere(plan, candidates, ray.o, ray.d, ray.from, ray.active, t_min);
+    const bool close = ray.depth == 0 && (plan.features & kFeatureInside) != 0;
+    const AnyHit<R> hit = nearest_anywhere(plan, candidates, ray.o, ray.d, ray.from, ray.active, t_min, close);
     const auto hits = ray.active & (hit.id >= R(0));
     add(sum, Mask<R>(ray.active & (!hits)), ray.throughput, spread<R>(plan.background));
     if (none(hits)) return;
@@ -68,9 +69,9 @@ ZERKALO_INLINE Rgb<R> trace_packet(const Plan& plan, const TileView& view, const
     Rgb<R> sum = spread<R>(Rgb<float>{0, 0, 0});
     const CandidateMask everything =
         first_bits(plan.solid_count) | first_bits(plan.mirror_count) << kMaxSolids;
-    const Departure<R> nowhere{R(-1), R(-1), Mask<R>(false)};
+    const Departure<R> from = departure_of_camera(plan.camera, camera.d);
     stack.count = 0;
-    stack.push(PathPacket<R>{camera.o, camera.d, spread<R>(Rgb<float>{1, 1, 1}), nowhere, active, 0, false, false, 0,
+    stack.push(PathPacket<R>{camera.o, camera.d, spread<R>(Rgb<float>{1, 1, 1}), from, active, 0, false, false, 0,
                              zero, R(0), Mask<R>(false)});
     while (stack.count > 0) {
         PathPacket<R> ray;

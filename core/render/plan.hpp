@@ -79,6 +79,8 @@ struct CameraPlan {
     Vec3<float> origin, view, step_x, step_y;
     Vec3<float> origin_step_x, origin_step_y;
     float pull;
+    float stands_on;         // a surface nearer than floats can tell: solid k, mirror kMaxSolids + m, or -1
+    Vec3<float> out_of_it;   // the outward normal of that solid there; otherwise 0
 };
 
 constexpr int kTileCorners = 4;

@@ -11,8 +11,6 @@ namespace {
 
 // A camera or light farther than this many scene radii would waste the digits of a float origin.
 constexpr double kFarRadii = 64;
-// A camera or light nearer to a solid than this share of its size counts as inside.
-constexpr double kNearShare = 0x1p-10;
 
 Status check(const Settings& settings, const ImageSize& size) {
     const auto complain = [](const char* field, const char* reason) {
@@ -101,15 +99,6 @@ Point origin_for(const Ball& all) {
     while (step / 2 >= kFarRadii * all.radius) step /= 2;
     const auto near = [step](double x) { return nearest_whole(x / step) * step; };
     return {near(all.centre.x), near(all.centre.y), near(all.centre.z)};
-}
-
-bool near_or_inside(const Plan& plan, const Scene& scene, const Point& p) {
-    for (std::int32_t k = 0; k < scene.solid_count; ++k) {
-        const SolidPlan& solid = plan.solids[k];
-        if (solid.shape == ShapeKind::mesh) continue;
-        if (clearance(plan, solid, p) <= kNearShare * solid.bound_radius) return true;
-    }
-    return false;
 }
 
 /// Seed formulas 2.9, 2.10. A far camera's rays start on the plane through the scene's centre: see CameraPlan.
@@ -219,11 +208,11 @@ void derive_features(const Scene& scene, Plan& plan) {
         if (mirror.lobe.glossy) plan.features |= kFeatureGlossy;
         if (mirror.lobe.glossy && mirror.lobe.max_phong) plan.features |= kFeatureMaxPhong;
     }
-    if (near_or_inside(plan, scene, scene.camera.position)) plan.features |= kFeatureInside;
+    if (plan.camera.stands_on >= 0 || near_or_inside(plan, scene.camera.position)) plan.features |= kFeatureInside;
     for (std::int32_t j = 0; j < plan.light_count; ++j) {
         if (plan.lights[j].data.inverse_square) plan.features |= kFeatureFalloff;
         if (plan.lights[j].data.distant) plan.features |= kFeatureFar;
-        if (near_or_inside(plan, scene, scene.lights[j].position)) plan.features |= kFeatureInside;
+        if (near_or_inside(plan, scene.lights[j].position)) plan.features |= kFeatureInside;
     }
     if (plan.light_count > 0 && plan.solid_count + plan.mirror_count > 1) plan.features |= kFeatureShadow;
     if (plan.antialias > 1) plan.features |= kFeatureAntialias;
@@ -251,6 +240,7 @@ Status prepare(const Scene& scene, const Settings& settings, Plan& plan) {
     derive_objects(scene, settings, around, plan);
     const Viewpoint eye = viewpoint_of(scene.camera, size);
     derive_camera(eye, around, plan);
+    derive_standing(scene, plan);
     if (plan.mirror_count > 0) derive_tile_corners(plan);
     derive_bounds(scene, eye, plan);
     derive_blockers(scene, around, plan);
@@ -261,6 +251,7 @@ Status prepare(const Scene& scene, const Settings& settings, Plan& plan) {
                       Part::settings, 0};
     }
     derive_shared(plan, plan.camera.origin, plan.camera_origin);
+    if (plan.features & kFeatureInside) derive_close_spheres(scene, plan);
     for (std::int32_t j = 0; j < plan.light_count; ++j) {
         derive_shared(plan, plan.lights[j].data.position, plan.lights[j].origin);
     }
