@@ -61,7 +61,8 @@ ZERKALO_INLINE Reflectance<Fixed<A, F>> fresnel_reflectance(Vec3<Fixed<A, F>> d,
 /// Of light without a direction of its own: half of it swings each way.
 template <class R>
 ZERKALO_INLINE R unpolarised(Reflectance<R> reflectance) {
-    return as<R>(half_of(reflectance.across + reflectance.within));
+    // As products, whose format has room for the sum of two shares.
+    return as<R>(half_of(reflectance.across * R(1) + reflectance.within * R(1)));
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

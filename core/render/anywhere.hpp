@@ -94,11 +94,40 @@ ZERKALO_INLINE MirrorHit<System<R>> any_mirror_hit(const PlanFor<R>& plan, int m
     return hit;
 }
 
-/// The nearest surface with t > t_min; t is infinite and id -1 where there is none.
+/// Camera rays of a camera on a surface leave it like any other ray: outwards past it, or through the solid.
+template <class R>
+ZERKALO_INLINE Departure<R> departure_of_camera(const CameraPlanOf<Formats<R>>& camera, Vec3<Direction<R>> d) {
+    const auto along = dot(spread<Direction<R>>(camera.out_of_it), d);
+    return {Index<R>(camera.stands_on), Index<R>(-1), Mask<R>(along < decltype(along)(0))};
+}
+
+/// Is the camera so close to sphere k that b^2 - c is the better discriminant? Never in fixed point, whose products are
+/// exact.
+template <class F>
+ZERKALO_INLINE bool is_close_sphere(const PlanOf<F>& plan, int k) {
+    if constexpr (F::kFixed) {
+        return false;
+    } else {
+        const SolidPlanOf<F>& solid = plan.solids[k];
+        return solid.shape == ShapeKind::sphere && plan.camera_origin.solids[k].c < solid.sphere.radius2;
+    }
+}
+
+template <class R>
+ZERKALO_INLINE void keep_close_sphere(AnyHit<R>& best, const PlanFor<R>& plan, int k, Vec3<Direction<R>> d,
+                                      const Departure<R>& from, Mask<R> active, Length<R> t_min) {
+    if constexpr (!Formats<R>::kFixed) {
+        const auto seen = sphere_origin<R>(plan.solids[k], k, plan.camera_origin);
+        keep_convex<R>(best, sphere_span_close<System<R>>(seen, d), plan.solids[k], from, active, t_min);
+    }
+}
+
+/// The nearest surface with t > t_min; t is infinite and id -1 where there is none. `close`: these are camera rays, and
+/// the camera is inside or close to a solid.
 template <class R>
 ZERKALO_ONCE AnyHit<R> nearest_anywhere(const PlanFor<R>& plan, CandidateMask candidates, Vec3<Length<R>> o,
                                         Vec3<Direction<R>> d, const Departure<R>& from, Mask<R> active,
-                                        Length<R> t_min) {
+                                        Length<R> t_min, bool close) {
     using L = Length<R>;
     AnyHit<R> best{far_away<L>(), Index<R>(-1), Index<R>(0), mask_of<R>(false), L(0), L(0), L(0)};
     for (CandidateMask left = solids_in(candidates); left != 0; left &= left - 1) {
@@ -109,6 +138,8 @@ ZERKALO_ONCE AnyHit<R> nearest_anywhere(const PlanFor<R>& plan, CandidateMask ca
         if (none(near)) continue;
         if (solid.shape == ShapeKind::mesh) {
             keep_mesh<R>(best, plan, solid, o, d, from, near, t_min);
+        } else if (close && is_close_sphere(plan, k)) {
+            keep_close_sphere<R>(best, plan, k, d, from, near, t_min);
         } else {
             with_span<Faces::both, R>(
                 plan, k, PointOrigin<L>{o}, d, [&](const Span<System<R>>& span) ZERKALO_INLINE_LAMBDA {
