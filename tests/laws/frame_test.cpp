@@ -1,5 +1,5 @@
-// The camera's angle of view is the full one, of the axis that it is given for; pixels are square whatever the picture's
-// proportions are (formulas 2.5, 2.6 of the course work).
+// Frames: the camera's angle of view is the full one, of the axis that it is given for; pixels are square whatever
+// the picture's proportions are (formulas 2.5, 2.6 of the course work); and a mirror's outline is not turned round.
 #include "tests/laws/staging.hpp"
 
 #include <gtest/gtest.h>
@@ -38,6 +38,24 @@ TEST(AngleOfView, IsTheGivenOneOnItsAxisAndPixelsAreSquare) {
             EXPECT_NEAR(upwards.width / half * height / width, 1, kRounding) << fov << ", " << width << "x" << height;
         }
     }
+}
+
+// Outlines are given with x along right = up x n and y along n x right.
+TEST(MirrorFrame, HasItsXAlongUpCrossNormal) {
+    Scene scene;
+    Mirror mirror = ideal_mirror({0, 0, 0}, {0, 0, 1}, 2);
+    mirror.ambient = 1;
+    mirror.boundary.shape = BoundaryShape::polygon;
+    mirror.boundary.corner_count = 3;
+    mirror.boundary.corners[0] = {0, 0};
+    mirror.boundary.corners[1] = {2, 0};
+    mirror.boundary.corners[2] = {2, 1};
+    add(scene, mirror);
+    const auto seen = [&](double x, double y) { return look(scene, {x, y, 5}, {0, 0, -1}).g == 1; };
+    EXPECT_TRUE(seen(1.5, 0.25));
+    EXPECT_FALSE(seen(-1.5, 0.25));
+    EXPECT_FALSE(seen(1.5, -0.25));
+    EXPECT_FALSE(seen(0.5, 0.5));
 }
 
 }  // namespace
