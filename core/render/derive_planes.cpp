@@ -4,7 +4,7 @@ namespace zerkalo {
 namespace {
 
 // What the rounding of set-up can make of two planes that are the same, as a share of the coordinates.
-constexpr double kSetUpRounding = 0x1p-40;
+constexpr double kSetUpRounding = 0x1p-46;
 
 bool is_plane(const Mirror& mirror) { return !(magnitude(mirror.curvature_radius) < kInfinity); }
 

@@ -186,6 +186,27 @@ TEST(Features, NameWhatEachMirrorNeeds) {
     EXPECT_EQ(features_of(*scene), (Names{"mirror", "curved_mirror", "chain"}));
 }
 
+TEST(Features, NameAFaceInAMirrorsPlaneThatTheCameraCanSee) {
+    const auto scene = std::make_unique<Scene>();
+    scene->mirror_count = scene->solid_count = 1;
+    scene->mirrors[0].position = {0, -1, -5};
+    scene->mirrors[0].normal = {0, 1, 0};
+    Solid& solid = scene->solids[0];
+    for (const SolidKind kind : {SolidKind::prism, SolidKind::cylinder}) {
+        const char* const shape = kind == SolidKind::prism ? "half_spaces" : "tube";
+        solid.kind = kind;
+        solid.position = {0, -2, -5};
+        EXPECT_EQ(features_of(*scene), (Names{shape, "mirror", "flush"})) << "its lid is seen";
+        solid.position.y = -2.001;
+        EXPECT_EQ(features_of(*scene), (Names{shape, "mirror"})) << "its lid is below the mirror";
+        solid.position.y = -1;
+        EXPECT_EQ(features_of(*scene), (Names{shape, "mirror"})) << "it stands on the mirror";
+        scene->camera.position = {0, -4, 0};
+        EXPECT_EQ(features_of(*scene), (Names{shape, "mirror", "flush"})) << "its base is seen from behind";
+        scene->camera.position = {0, 0, 0};
+    }
+}
+
 TEST(Features, NameWhatLightAndRaysNeed) {
     const auto scene = one_ball();
     scene->light_count = 1;
