@@ -2,9 +2,12 @@
 find_package(Threads REQUIRED)
 find_package(xsimd 8 REQUIRED)
 add_library(zerkalo_stability STATIC
+  stability/aimed_ray_rows.cpp
   stability/all_cases.cpp
   stability/bad_number_rows.cpp
   stability/bounce_rows.cpp
+  stability/camera_frame_rows.cpp
+  stability/camera_place_rows.cpp
   stability/contact_rows.cpp
   stability/edge_rows.cpp
   stability/far_camera_rows.cpp
@@ -14,11 +17,14 @@ add_library(zerkalo_stability STATIC
   stability/light_rows.cpp
   stability/lobe_rows.cpp
   stability/machine_rows.cpp
+  stability/mirror_curvature_rows.cpp
+  stability/parallel_ray_rows.cpp
   stability/picture_rows.cpp
   stability/polish_rows.cpp
   stability/refusal_rows.cpp
   stability/scaling_rows.cpp
   stability/solid_size_rows.cpp
+  stability/sphere_rows.cpp
   stability/stage.cpp
   stability/sun_rows.cpp
   stability/symmetry_rows.cpp

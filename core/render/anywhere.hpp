@@ -94,11 +94,34 @@ ZERKALO_INLINE MirrorHit<System<R>> any_mirror_hit(const PlanFor<R>& plan, int m
     return hit;
 }
 
-/// The nearest surface with t > t_min; t is infinite and id -1 where there is none.
+/// Camera rays of a camera on a surface leave it like any other ray: outwards past it, or through the solid.
+template <class R, class F>
+ZERKALO_INLINE Departure<R> departure_of_camera(const CameraPlanOf<F>& camera, Vec3<Direction<R>> d) {
+    const auto inwards = as<Direction<R>>(dot(camera.out_of_it, d)) < Direction<R>(0);
+    return {index_of<R>(camera.stands_on), Index<R>(-1), Mask<R>(inwards)};
+}
+
+/// Meets a sphere so close to the camera that b^2 - c is the better discriminant for its rays. False of all others, and
+/// in fixed point, where c has digits enough.
+template <class R>
+ZERKALO_INLINE bool met_close_by(AnyHit<R>& best, const PlanFor<R>& plan, int k, Vec3<Direction<R>> d,
+                                 const Departure<R>& from, Mask<R> active, Length<R> t_min) {
+    if constexpr (!Formats<R>::kFixed) {
+        const SolidPlanFor<R>& solid = plan.solids[k];
+        if (solid.shape != ShapeKind::sphere || !(plan.camera_origin.solids[k].c < solid.sphere.radius2)) return false;
+        const auto seen = sphere_origin<R>(solid, k, plan.camera_origin);
+        keep_convex<R>(best, sphere_span_close<System<R>>(seen, d), solid, from, active, t_min);
+        return true;
+    }
+    return false;
+}
+
+/// The nearest surface with t > t_min; t is infinite and id -1 where there is none. `close`: these are camera rays, and
+/// the camera is inside or close to a solid.
 template <class R>
 ZERKALO_ONCE AnyHit<R> nearest_anywhere(const PlanFor<R>& plan, CandidateMask candidates, Vec3<Length<R>> o,
                                         Vec3<Direction<R>> d, const Departure<R>& from, Mask<R> active,
-                                        Length<R> t_min) {
+                                        Length<R> t_min, bool close) {
     using L = Length<R>;
     AnyHit<R> best{far_away<L>(), Index<R>(-1), Index<R>(0), mask_of<R>(false), L(0), L(0), L(0)};
     for (CandidateMask left = solids_in(candidates); left != 0; left &= left - 1) {
@@ -109,6 +132,8 @@ ZERKALO_ONCE AnyHit<R> nearest_anywhere(const PlanFor<R>& plan, CandidateMask ca
         if (none(near)) continue;
         if (solid.shape == ShapeKind::mesh) {
             keep_mesh<R>(best, plan, solid, o, d, from, near, t_min);
+        } else if (close && met_close_by<R>(best, plan, k, d, from, near, t_min)) {
+            continue;
         } else {
             with_span<Faces::both, R>(
                 plan, k, PointOrigin<L>{o}, d, [&](const Span<System<R>>& span) ZERKALO_INLINE_LAMBDA {

@@ -42,9 +42,26 @@ template <class F>
 void derive_solid(const Scene& scene, std::int32_t k, const Constants<F>& to, std::int32_t& slabs,
                   std::int32_t& triangles, PlanOf<F>& plan);
 
-/// A lower bound of the distance from p to the solid's surface from outside; negative inside. Not for meshes.
+/// A lower bound of the distance from p to the solid's surface from outside, negative inside, and the outward normal of
+/// the face that sets it. Not for meshes.
+struct Clearance {
+    double distance;
+    Vec3<double> normal;
+};
 template <class F>
-double clearance(const PlanOf<F>& plan, const SolidPlanOf<F>& solid, const Constants<F>& to, const Vec3<double>& p);
+Clearance clearance_of(const PlanOf<F>& plan, const SolidPlanOf<F>& solid, const Constants<F>& to,
+                       const Vec3<double>& p);
+
+/// Is p inside of a convex solid, or nearer to it than a small share of its size?
+template <class F>
+bool near_or_inside(const PlanOf<F>& plan, const Constants<F>& to, const Vec3<double>& p);
+
+/// The surface that the camera stands on, if any; needs the plan's solids and mirrors.
+template <class F>
+void derive_standing(const Scene& scene, const Constants<F>& to, PlanOf<F>& plan);
+
+/// For a camera inside or close to solids: what spheres are from there, from double instead of float.
+void derive_close_spheres(const Scene& scene, Plan& plan);
 
 /// Right, v, n of a mirror.
 struct MirrorFrame {

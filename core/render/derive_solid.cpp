@@ -242,39 +242,9 @@ void derive_solid(const Scene& scene, std::int32_t k, const Constants<F>& to, st
                      to.ratio(m.refractive_index), m.fresnel};
 }
 
-template <class F>
-double clearance(const PlanOf<F>& plan, const SolidPlanOf<F>& solid, const Constants<F>& to, const Vec3<double>& p) {
-    if (solid.shape == ShapeKind::sphere) {
-        const double radius2 = to.number_of(solid.sphere.radius2);
-        return length(p - to.point_of(solid.sphere.centre)) - to.unscaled(square_root(radius2));
-    }
-    if (solid.shape == ShapeKind::tube) {
-        const TubeDataOf<F>& tube = solid.tube;
-        const Point f = p - to.point_of(tube.centre), axis = to.direction_of(tube.axis_y);
-        const double y = dot(axis, f);
-        const double across = length(cross(f, axis));
-        const double caps = magnitude(y) - to.length_of(tube.half_height);
-        const double radius = to.length_of(tube.mid_radius) + to.number_of(tube.slope) * y;
-        const double side = (across - radius) * to.number_of(tube.normal_scale);
-        return caps > side ? caps : side;
-    }
-    double farthest = -kInfinity;
-    for (std::int32_t s = 0; s < solid.half_spaces.slab_count; ++s) {
-        const SlabOf<F>& slab = plan.slabs[solid.half_spaces.first_slab + s];
-        const double along = dot(to.direction_of(slab.n), p - to.point_of(solid.half_spaces.centre));
-        const double hi = to.length_of(slab.hi), lo = to.length_of(slab.lo);
-        if (along - hi > farthest) farthest = along - hi;
-        if (lo - along > farthest) farthest = lo - along;
-    }
-    return farthest;
-}
-
 template void derive_solid(const Scene&, std::int32_t, const Constants<FloatFormats>&, std::int32_t&, std::int32_t&,
                            Plan&);
 template void derive_solid(const Scene&, std::int32_t, const Constants<FixedFormats>&, std::int32_t&, std::int32_t&,
                            FixedPlan&);
-template double clearance(const Plan&, const SolidPlan&, const Constants<FloatFormats>&, const Vec3<double>&);
-template double clearance(const FixedPlan&, const SolidPlanOf<FixedFormats>&, const Constants<FixedFormats>&,
-                          const Vec3<double>&);
 
 }  // namespace zerkalo

@@ -20,7 +20,8 @@ template <class R>
 ZERKALO_INLINE void trace_one(const PlanFor<R>& plan, const PathPacket<R>& ray, CandidateMask candidates,
                               Length<R> t_min, const PathKey<R>& key, PathStack<R>& stack, Rgb<LightSum<R>>& sum,
                               TileCounts& counts) {
-    const AnyHit<R> hit = nearest_anywhere<R>(plan, candidates, ray.o, ray.d, ray.from, ray.active, t_min);
+    const bool close = ray.depth == 0 && (plan.features & kFeatureInside) != 0;
+    const AnyHit<R> hit = nearest_anywhere<R>(plan, candidates, ray.o, ray.d, ray.from, ray.active, t_min, close);
     const auto hits = ray.active & (hit.id >= Index<R>(0));
     add<R>(sum, ray.active & (!hits), ray.throughput, spread<Radiance<R>>(plan.background));
     if (none(hits)) return;
@@ -71,9 +72,9 @@ ZERKALO_INLINE Rgb<LightSum<R>> trace_packet(const PlanFor<R>& plan, const TileV
     Rgb<LightSum<R>> sum{LightSum<R>(0), LightSum<R>(0), LightSum<R>(0)};
     const CandidateMask everything =
         first_bits(plan.solid_count) | first_bits(plan.mirror_count) << kMaxSolids;
-    const Departure<R> nowhere{Index<R>(-1), Index<R>(-1), mask_of<R>(false)};
+    const Departure<R> from = departure_of_camera<R>(plan.camera, camera.d);
     stack.count = 0;
-    stack.push(PathPacket<R>{camera.o, camera.d, {W(1), W(1), W(1)}, nowhere, active, 0, false, false, 0, zero,
+    stack.push(PathPacket<R>{camera.o, camera.d, {W(1), W(1), W(1)}, from, active, 0, false, false, 0, zero,
                              Share<R>(0), mask_of<R>(false)});
     while (stack.count > 0) {
         PathPacket<R> ray;

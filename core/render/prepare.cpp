@@ -12,8 +12,6 @@ namespace {
 
 // A camera or light farther than this many scene radii would waste the digits of a float origin.
 constexpr double kFarRadii = 64;
-// A camera or light nearer to a solid than this share of its size counts as inside.
-constexpr double kNearShare = 0x1p-10;
 
 Status check(const Settings& settings, const ImageSize& size) {
     const auto complain = [](const char* field, const char* reason) {
@@ -102,16 +100,6 @@ Point origin_for(const Ball& all) {
     while (step / 2 >= kFarRadii * all.radius) step /= 2;
     const auto near = [step](double x) { return nearest_whole(x / step) * step; };
     return {near(all.centre.x), near(all.centre.y), near(all.centre.z)};
-}
-
-template <class F>
-bool near_or_inside(const PlanOf<F>& plan, const Scene& scene, const Constants<F>& to, const Point& p) {
-    for (std::int32_t k = 0; k < scene.solid_count; ++k) {
-        const SolidPlanOf<F>& solid = plan.solids[k];
-        if (solid.shape == ShapeKind::mesh) continue;
-        if (clearance(plan, solid, to, p) <= kNearShare * to.length_of(solid.bound_radius)) return true;
-    }
-    return false;
 }
 
 /// How far a far camera's origin is moved along its view; 0 of a near one.
@@ -230,11 +218,11 @@ void derive_features(const Scene& scene, const Constants<F>& to, PlanOf<F>& plan
         if (mirror.lobe.glossy) plan.features |= kFeatureGlossy;
         if (mirror.lobe.glossy && mirror.lobe.max_phong) plan.features |= kFeatureMaxPhong;
     }
-    if (near_or_inside(plan, scene, to, scene.camera.position)) plan.features |= kFeatureInside;
+    if (plan.camera.stands_on >= 0 || near_or_inside(plan, to, scene.camera.position)) plan.features |= kFeatureInside;
     for (std::int32_t j = 0; j < plan.light_count; ++j) {
         if (plan.lights[j].data.inverse_square) plan.features |= kFeatureFalloff;
         if (plan.lights[j].data.distant) plan.features |= kFeatureFar;
-        if (near_or_inside(plan, scene, to, scene.lights[j].position)) plan.features |= kFeatureInside;
+        if (near_or_inside(plan, to, scene.lights[j].position)) plan.features |= kFeatureInside;
     }
     if (plan.light_count > 0 && plan.solid_count + plan.mirror_count > 1) plan.features |= kFeatureShadow;
     if (plan.antialias > 1) plan.features |= kFeatureAntialias;
@@ -256,6 +244,7 @@ void derive_one_bounce(const Scene& scene, const Settings& settings, const Viewp
     derive_image_bounds(scene, eye, plan);
     derive_light_bounds(scene, to, plan);
     derive_shared(plan, plan.camera.origin, plan.camera_origin);
+    if (plan.features & kFeatureInside) derive_close_spheres(scene, plan);
 }
 
 void derive_head(const Scene& scene, const Settings& settings, const ImageSize& size, PlanHead& plan) {
@@ -275,6 +264,7 @@ Status derive_plan(const Scene& scene, const Settings& settings, const Surroundi
     plan.background = derive_surface(Material{.color = white, .ambient = 1}, scene.background, to).ambient;
     derive_objects(scene, settings, around, to, plan);
     derive_camera(eye, around, to, plan);
+    derive_standing(scene, to, plan);
     derive_bounds(scene, eye, plan);
     derive_blockers(scene, around, plan);
     derive_planes(scene, plan);

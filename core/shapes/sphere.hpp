@@ -24,21 +24,35 @@ ZERKALO_INLINE SphereOrigin<N> sphere_seen_from(const S& sphere, Vec3<O> o) {
     return {f, as<Area<N>>(dot(f, f) - sphere.radius2)};
 }
 
+/// The ends of the span where `disc`, the discriminant, is not negative.
+template <class N, class B, class C, class D>
+ZERKALO_INLINE Span<N> span_of_sphere(B b, C c, D disc) {
+    const auto hit = disc >= D(0);
+    Span<N> span = empty_span<N>();
+    if (any(hit)) {
+        const auto roots = roots_of_unit_quadratic<Length<N>>(b, c, max(disc, D(0)));
+        span.entry = select(hit, min(roots.near_zero, roots.other), span.entry);
+        span.exit = select(hit, max(roots.near_zero, roots.other), span.exit);
+    }
+    return span;
+}
+
 /// Span of the ball along unit directions d. A tangent ray is inside for no length and still has entry = exit.
 template <class N, class S, class M>
 ZERKALO_INLINE Span<N> sphere_span(const S& sphere, const SphereOrigin<M>& from, Vec3<Direction<N>> d) {
     using L = Length<N>;
     const auto b = as<L>(dot(from.f, d));
     const auto l = from.f - as<L>(d * b);
-    const auto disc = as<Area<N>>(sphere.radius2 - dot(l, l));
-    const auto hit = disc >= Area<N>(0);
-    Span<N> span = empty_span<N>();
-    if (any(hit)) {
-        const auto roots = roots_of_unit_quadratic<L>(b, as<Area<N>>(from.c), max(disc, Area<N>(0)));
-        span.entry = select(hit, min(roots.near_zero, roots.other), span.entry);
-        span.exit = select(hit, max(roots.near_zero, roots.other), span.exit);
-    }
-    return span;
+    return span_of_sphere<N>(b, as<Area<N>>(from.c), as<Area<N>>(sphere.radius2 - dot(l, l)));
+}
+
+/// The same from inside or close to the surface, with c good to its last digit: there b^2 - c keeps what r^2 - l.l
+/// loses, the height above a ground that is nearly flat.
+template <class N, class M>
+ZERKALO_INLINE Span<N> sphere_span_close(const SphereOrigin<M>& from, Vec3<Direction<N>> d) {
+    const auto b = as<Length<N>>(dot(from.f, d));
+    const auto c = as<Area<N>>(from.c);
+    return span_of_sphere<N>(b, c, as<Area<N>>(as<Area<N>>(b * b) - c));
 }
 
 /// Unit outward normal at a point of the surface.

@@ -9,8 +9,11 @@ namespace zerkalo::stability {
 std::vector<StiffCase> all_cases() {
     std::vector<StiffCase> cases;
     const std::span<const StiffCase> groups[] = {
+        aimed_ray_rows(),
         bad_number_rows(),
         bounce_rows(),
+        camera_frame_rows(),
+        camera_place_rows(),
         contact_rows(),
         edge_rows(),
         far_camera_rows(),
@@ -20,11 +23,14 @@ std::vector<StiffCase> all_cases() {
         light_rows(),
         lobe_rows(),
         machine_rows(),
+        mirror_curvature_rows(),
+        parallel_ray_rows(),
         picture_rows(),
         polish_rows(),
         refusal_rows(),
         scaling_rows(),
         solid_size_rows(),
+        sphere_rows(),
         sun_rows(),
         symmetry_rows(),
         taper_rows(),

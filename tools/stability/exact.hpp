@@ -18,6 +18,7 @@ inline Vec minus(const Vec& a, const Vec& b) { return {a.x - b.x, a.y - b.y, a.z
 inline Vec cross(const Vec& a, const Vec& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+inline Vec along(const Vec& o, double t, const Vec& d) { return plus(o, times(d, t)); }
 inline double length(const Vec& a) { return std::sqrt(dot(a, a)); }
 inline Vec unit(const Vec& a) { return times(a, 1 / length(a)); }
 
@@ -25,7 +26,7 @@ inline Vec unit(const Vec& a) { return times(a, 1 / length(a)); }
 struct Ray {
     Vec o, d;
 };
-inline Vec at(const Ray& ray, double t) { return plus(ray.o, times(ray.d, t)); }
+inline Vec at(const Ray& ray, double t) { return along(ray.o, t, ray.d); }
 
 /// The ray through the centre of pixel (i, j), row 0 on top; the camera's angle is the horizontal one.
 inline Ray through_pixel(const Camera& camera, int width, int height, int i, int j) {
@@ -35,6 +36,12 @@ inline Ray through_pixel(const Camera& camera, int width, int height, int i, int
     const double x = (2 * (i + 0.5) / width - 1) * half;
     const double y = (1 - 2 * (j + 0.5) / height) * half * height / width;
     return {camera.position, unit(plus(view, plus(times(right, x), times(up, y))))};
+}
+
+/// What a white matte surface shows at p with unit normal n under a lamp of intensity 1: max(0, N.L).
+inline double lambert(const Vec& p, const Vec& n, const Vec& lamp) {
+    const double cosine = dot(n, unit(minus(lamp, p)));
+    return cosine > 0 ? cosine : 0;
 }
 
 /// Where the ray enters and leaves a sphere; nowhere (entry above exit) if it passes by.

@@ -9,9 +9,19 @@ namespace zerkalo::stability::naive {
 
 inline float dot(Vec3<float> a, Vec3<float> b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Vec3<float> minus(Vec3<float> a, Vec3<float> b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Vec3<float> cross(Vec3<float> a, Vec3<float> b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 inline Vec3<float> along(Vec3<float> o, float t, Vec3<float> d) { return {o.x + t * d.x, o.y + t * d.y, o.z + t * d.z}; }
 inline Vec3<float> times(Vec3<float> a, float s) { return {a.x * s, a.y * s, a.z * s}; }
 inline Vec3<float> unit(Vec3<float> a) { return times(a, 1 / std::sqrt(dot(a, a))); }
+inline Vec3<float> rounded(const Vec3<double>& a) { return {float(a.x), float(a.y), float(a.z)}; }
+
+/// A white matte surface at p with unit normal n under a lamp: max(0, N.L).
+inline float lambert(Vec3<float> p, Vec3<float> n, Vec3<float> lamp) {
+    const float cosine = dot(n, unit(minus(lamp, p)));
+    return cosine > 0 ? cosine : 0;
+}
 
 /// The two roots of a t^2 + b t + c = 0 as (-b -+ sqrt(b^2 - 4ac)) / 2a.
 struct Roots {

@@ -5,21 +5,24 @@
 #include "tools/stability/naive.hpp"
 
 #include <initializer_list>
+#include <limits>
 
 namespace zerkalo::stability::naive {
 
-inline Vec3<float> cross_product(Vec3<float> a, Vec3<float> b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+/// Where the ray meets the triangle; infinite where it does not. Moeller, Trumbore, 1997, with their absolute threshold
+/// of the determinant.
+inline float to_triangle(Vec3<float> o, Vec3<float> d, Vec3<float> a, Vec3<float> b, Vec3<float> c, float threshold) {
+    constexpr float kMiss = std::numeric_limits<float>::infinity();
+    const Vec3<float> e1 = minus(b, a), e2 = minus(c, a), p = cross(d, e2);
+    const float determinant = dot(e1, p);
+    if (std::abs(determinant) < threshold) return kMiss;
+    const Vec3<float> s = minus(o, a), q = cross(s, e1);
+    const float u = dot(s, p) / determinant, v = dot(d, q) / determinant, t = dot(e2, q) / determinant;
+    return u >= 0 && v >= 0 && u + v <= 1 && t > 0 ? t : kMiss;
 }
 
-/// Is the triangle met? Moeller, Trumbore, 1997, with their absolute threshold of the determinant.
 inline bool meets_triangle(Vec3<float> o, Vec3<float> d, Vec3<float> a, Vec3<float> b, Vec3<float> c, float threshold) {
-    const Vec3<float> e1 = minus(b, a), e2 = minus(c, a), p = cross_product(d, e2);
-    const float determinant = dot(e1, p);
-    if (std::abs(determinant) < threshold) return false;
-    const Vec3<float> s = minus(o, a), q = cross_product(s, e1);
-    const float u = dot(s, p) / determinant, v = dot(d, q) / determinant;
-    return u >= 0 && v >= 0 && u + v <= 1 && dot(e2, q) / determinant > 0;
+    return std::isfinite(to_triangle(o, d, a, b, c, threshold));
 }
 
 /// Where a ray meets a wall, and the wall's unit normal.

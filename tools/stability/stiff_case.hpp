@@ -29,8 +29,11 @@ inline bool holds(const StiffCase& row, double error) { return error <= row.boun
 std::vector<StiffCase> all_cases();
 
 /// The cases of one file each, in the order of their numbers.
+std::span<const StiffCase> aimed_ray_rows();
 std::span<const StiffCase> bad_number_rows();
 std::span<const StiffCase> bounce_rows();
+std::span<const StiffCase> camera_frame_rows();
+std::span<const StiffCase> camera_place_rows();
 std::span<const StiffCase> contact_rows();
 std::span<const StiffCase> edge_rows();
 std::span<const StiffCase> far_camera_rows();
@@ -40,11 +43,14 @@ std::span<const StiffCase> lamp_rows();
 std::span<const StiffCase> light_rows();
 std::span<const StiffCase> lobe_rows();
 std::span<const StiffCase> machine_rows();
+std::span<const StiffCase> mirror_curvature_rows();
+std::span<const StiffCase> parallel_ray_rows();
 std::span<const StiffCase> picture_rows();
 std::span<const StiffCase> polish_rows();
 std::span<const StiffCase> refusal_rows();
 std::span<const StiffCase> scaling_rows();
 std::span<const StiffCase> solid_size_rows();
+std::span<const StiffCase> sphere_rows();
 std::span<const StiffCase> sun_rows();
 std::span<const StiffCase> symmetry_rows();
 std::span<const StiffCase> taper_rows();
