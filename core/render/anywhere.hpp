@@ -95,31 +95,25 @@ ZERKALO_INLINE MirrorHit<System<R>> any_mirror_hit(const PlanFor<R>& plan, int m
 }
 
 /// Camera rays of a camera on a surface leave it like any other ray: outwards past it, or through the solid.
-template <class R>
-ZERKALO_INLINE Departure<R> departure_of_camera(const CameraPlanOf<Formats<R>>& camera, Vec3<Direction<R>> d) {
-    const auto along = dot(spread<Direction<R>>(camera.out_of_it), d);
-    return {Index<R>(camera.stands_on), Index<R>(-1), Mask<R>(along < decltype(along)(0))};
+template <class R, class F>
+ZERKALO_INLINE Departure<R> departure_of_camera(const CameraPlanOf<F>& camera, Vec3<Direction<R>> d) {
+    const auto inwards = as<Direction<R>>(dot(camera.out_of_it, d)) < Direction<R>(0);
+    return {index_of<R>(camera.stands_on), Index<R>(-1), Mask<R>(inwards)};
 }
 
-/// Is the camera so close to sphere k that b^2 - c is the better discriminant? Never in fixed point, whose products are
-/// exact.
-template <class F>
-ZERKALO_INLINE bool is_close_sphere(const PlanOf<F>& plan, int k) {
-    if constexpr (F::kFixed) {
-        return false;
-    } else {
-        const SolidPlanOf<F>& solid = plan.solids[k];
-        return solid.shape == ShapeKind::sphere && plan.camera_origin.solids[k].c < solid.sphere.radius2;
-    }
-}
-
+/// Meets a sphere so close to the camera that b^2 - c is the better discriminant for its rays. False of all others, and
+/// in fixed point, where c has digits enough.
 template <class R>
-ZERKALO_INLINE void keep_close_sphere(AnyHit<R>& best, const PlanFor<R>& plan, int k, Vec3<Direction<R>> d,
-                                      const Departure<R>& from, Mask<R> active, Length<R> t_min) {
+ZERKALO_INLINE bool met_close_by(AnyHit<R>& best, const PlanFor<R>& plan, int k, Vec3<Direction<R>> d,
+                                 const Departure<R>& from, Mask<R> active, Length<R> t_min) {
     if constexpr (!Formats<R>::kFixed) {
-        const auto seen = sphere_origin<R>(plan.solids[k], k, plan.camera_origin);
-        keep_convex<R>(best, sphere_span_close<System<R>>(seen, d), plan.solids[k], from, active, t_min);
+        const SolidPlanFor<R>& solid = plan.solids[k];
+        if (solid.shape != ShapeKind::sphere || !(plan.camera_origin.solids[k].c < solid.sphere.radius2)) return false;
+        const auto seen = sphere_origin<R>(solid, k, plan.camera_origin);
+        keep_convex<R>(best, sphere_span_close<System<R>>(seen, d), solid, from, active, t_min);
+        return true;
     }
+    return false;
 }
 
 /// The nearest surface with t > t_min; t is infinite and id -1 where there is none. `close`: these are camera rays, and
@@ -138,8 +132,8 @@ ZERKALO_ONCE AnyHit<R> nearest_anywhere(const PlanFor<R>& plan, CandidateMask ca
         if (none(near)) continue;
         if (solid.shape == ShapeKind::mesh) {
             keep_mesh<R>(best, plan, solid, o, d, from, near, t_min);
-        } else if (close && is_close_sphere(plan, k)) {
-            keep_close_sphere<R>(best, plan, k, d, from, near, t_min);
+        } else if (close && met_close_by<R>(best, plan, k, d, from, near, t_min)) {
+            continue;
         } else {
             with_span<Faces::both, R>(
                 plan, k, PointOrigin<L>{o}, d, [&](const Span<System<R>>& span) ZERKALO_INLINE_LAMBDA {

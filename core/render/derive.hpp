@@ -42,8 +42,8 @@ template <class F>
 void derive_solid(const Scene& scene, std::int32_t k, const Constants<F>& to, std::int32_t& slabs,
                   std::int32_t& triangles, PlanOf<F>& plan);
 
-/// A lower bound of the distance from a place in the world to the solid's surface from outside, negative inside, and the
-/// outward normal of the face that sets it. Not for meshes.
+/// A lower bound of the distance from p to the solid's surface from outside, negative inside, and the outward normal of
+/// the face that sets it. Not for meshes.
 struct Clearance {
     double distance;
     Vec3<double> normal;
@@ -52,7 +52,7 @@ template <class F>
 Clearance clearance_of(const PlanOf<F>& plan, const SolidPlanOf<F>& solid, const Constants<F>& to,
                        const Vec3<double>& p);
 
-/// Is a place in the world inside of a convex solid, or nearer to it than a small share of its size?
+/// Is p inside of a convex solid, or nearer to it than a small share of its size?
 template <class F>
 bool near_or_inside(const PlanOf<F>& plan, const Constants<F>& to, const Vec3<double>& p);
 

@@ -218,8 +218,7 @@ void derive_features(const Scene& scene, const Constants<F>& to, PlanOf<F>& plan
         if (mirror.lobe.glossy) plan.features |= kFeatureGlossy;
         if (mirror.lobe.glossy && mirror.lobe.max_phong) plan.features |= kFeatureMaxPhong;
     }
-    const bool on_surface = plan.camera.stands_on >= typename F::Index(0);
-    if (on_surface || near_or_inside(plan, to, scene.camera.position)) plan.features |= kFeatureInside;
+    if (plan.camera.stands_on >= 0 || near_or_inside(plan, to, scene.camera.position)) plan.features |= kFeatureInside;
     for (std::int32_t j = 0; j < plan.light_count; ++j) {
         if (plan.lights[j].data.inverse_square) plan.features |= kFeatureFalloff;
         if (plan.lights[j].data.distant) plan.features |= kFeatureFar;

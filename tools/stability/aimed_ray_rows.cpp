@@ -164,7 +164,8 @@ double s14_naive() {
         camera.up = {0.1, 0.9, 0.3};
         return [walls, camera, side](int i, int j) {
             return naive_light(walls, naive::rounded(camera.position),
-                               naive::rounded(exact::through_pixel(camera, side, side, i, j).d), naive::rounded(kApexLamp));
+                               naive::rounded(exact::through_pixel(camera, side, side, i, j).d),
+                               naive::rounded(kApexLamp));
         };
     });
 }

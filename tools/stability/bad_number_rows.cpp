@@ -143,27 +143,21 @@ double s51_ours(const Stage& stage) {
     return wrong_answers([](const Scene& scene, const Number& number) { return refused_field(scene) != number.field; });
 }
 
-Vec3<float> rounded(const Vec3<double>& v) { return {float(v.x), float(v.y), float(v.z)}; }
-
-Vec3<float> cross_product(Vec3<float> a, Vec3<float> b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 /// Whitted's local light at the ball of sound_scene(), in red, beside the middle. The textbook asks nothing.
 float pixel(const Scene& scene) {
     const Solid& solid = scene.solids[0];
     const Material& m = solid.material;
     const Light& light = scene.lights[0];
-    const Vec3<float> eye = rounded(scene.camera.position), view = naive::unit(rounded(scene.camera.view));
-    const Vec3<float> up = rounded(scene.camera.up);
-    const Vec3<float> right = naive::unit(cross_product(view, up));
+    const Vec3<float> eye = naive::rounded(scene.camera.position), up = naive::rounded(scene.camera.up);
+    const Vec3<float> view = naive::unit(naive::rounded(scene.camera.view));
+    const Vec3<float> right = naive::unit(naive::cross(view, up));
     const float aside = std::tan(float(scene.camera.fov) / 2) / 8;
-    const Vec3<float> d = naive::unit(naive::along(view, aside, right)), centre = rounded(solid.position);
+    const Vec3<float> d = naive::unit(naive::along(view, aside, right)), centre = naive::rounded(solid.position);
     const auto roots = naive::sphere(eye, d, centre, float(solid.radius));
     if (!roots.real) return float(scene.background.r);
     const Vec3<float> p = naive::along(eye, roots.first, d);
     const Vec3<float> n = naive::times(naive::minus(p, centre), 1 / float(solid.radius));
-    const Vec3<float> way = naive::minus(rounded(light.position), p), l = naive::unit(way);
+    const Vec3<float> way = naive::minus(naive::rounded(light.position), p), l = naive::unit(way);
     const float cosine = std::max(0.0f, naive::dot(n, l));
     const Vec3<float> r = naive::minus(naive::times(n, 2 * cosine), l);
     const float highlight = std::pow(std::max(0.0f, -naive::dot(r, d)), float(m.shininess));

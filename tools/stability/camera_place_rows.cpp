@@ -41,8 +41,8 @@ double s10_ours(const Stage& stage) {
         const Picture picture = stage.render(scene, kSide, kSide);
         for (int j = 0; j < kSide; ++j) {
             for (int i = 0; i < kSide; ++i) {
-                const double error =
-                    std::abs(picture.at(i, j).r - exact_wall_light(exact::through_pixel(scene.camera, kSide, kSide, i, j).d));
+                const double error = std::abs(
+                    picture.at(i, j).r - exact_wall_light(exact::through_pixel(scene.camera, kSide, kSide, i, j).d));
                 if (!(error <= largest)) largest = error;
             }
         }

@@ -28,7 +28,7 @@ Vec3<float> round_normal(float radius, float height) {
 Vec3<float> side_normal(SolidKind kind, float radius, float height) {
     const Vec3<float> a{radius, 0, 0}, b{0, 0, radius};
     const Vec3<float> top = kind == SolidKind::prism ? Vec3<float>{radius, height, 0} : Vec3<float>{0, height, 0};
-    return naive::unit(naive::cross_product(naive::minus(b, a), naive::minus(top, a)));
+    return naive::unit(naive::cross(naive::minus(b, a), naive::minus(top, a)));
 }
 
 std::vector<Sizeless> sizeless_solids() {
