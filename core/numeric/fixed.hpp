@@ -34,7 +34,7 @@ ZERKALO_INLINE constexpr Fixed<Rep, FracBits> with_fraction(Rep raw) {
 
 template <class A, class B, int F>
     requires SameElement<A, B>
-ZERKALO_INLINE constexpr auto operator+(Fixed<A, F> a, Fixed<B, F> b) {
+[[gnu::const]] ZERKALO_INLINE constexpr auto operator+(Fixed<A, F> a, Fixed<B, F> b) {
     using T = LaneElement<A>;
     return with_fraction<F>(each_lane([](T x, T y) { return saturated_sum<T>(x, y); }, a.raw, b.raw));
 }
@@ -50,13 +50,13 @@ ZERKALO_INLINE constexpr auto operator-(Fixed<A, F> a, Fixed<B, F> b) { return a
 /// Exact: twice the bits, and the fractions add up.
 template <class A, int FA, class B, int FB>
     requires SingleWord<A> && SingleWord<B> && SameWidth<A, B>
-ZERKALO_INLINE constexpr auto operator*(Fixed<A, FA> a, Fixed<B, FB> b) {
+[[gnu::const]] ZERKALO_INLINE constexpr auto operator*(Fixed<A, FA> a, Fixed<B, FB> b) {
     static_assert(FA + FB < 62, "the product of two whole numbers must fit");
     return with_fraction<FA + FB>(
         each_lane([](std::int32_t x, std::int32_t y) { return std::int64_t{x} * y; }, a.raw, b.raw));
 }
 
-// Free of side effects, and said to be: at width 1 their answers are joined by & and |, which clang asks about.
+// Free of side effects, and said to be, as sums and products are: at width 1 their answers are joined by & and |, which clang asks about.
 template <class A, class B, int F>
     requires SameElement<A, B>
 [[gnu::const]] ZERKALO_INLINE constexpr auto operator<(Fixed<A, F> a, Fixed<B, F> b) {

@@ -220,7 +220,7 @@ ZERKALO_INLINE constexpr To integer_reciprocal(std::int64_t x) {
     const std::uint64_t m = (static_cast<std::uint64_t>(x) << zeros) >> 32;
     const std::uint64_t inverse = (std::uint64_t{1} << 63) / m;
     const int up = Shift - 95 + zeros;
-    if (up >= 31) return kLargest<To>;
+    if (up > 31) return kLargest<To>;
     if (up >= 0) return saturated<To>(inverse << up, false);
     return saturated<To>(up < -33 ? 0 : (inverse + (std::uint64_t{1} << (-up - 1))) >> -up, false);
 }

@@ -73,7 +73,8 @@ ZERKALO_INLINE PixelLanes<R> pixel_lanes(const Rect& tile, int first) {
 template <class R>
 ZERKALO_INLINE Mask<R> lanes_inside(const Rect& tile, int first) {
     const PixelLanes<R> pixel = pixel_lanes<R>(tile, first);
-    return (pixel.x < pixels_of<R>(tile.left + tile.width)) & (pixel.y < pixels_of<R>(tile.top + tile.height));
+    const Pixels<R> right = pixels_of<R>(tile.left + tile.width), bottom = pixels_of<R>(tile.top + tile.height);
+    return (pixel.x < right) & (pixel.y < bottom);
 }
 
 /// A point of the pixel, from its centre, in pixels.

@@ -30,6 +30,7 @@ ZERKALO_INLINE MeshHit<R> mesh_hit(const T* triangles, int count, Vec3<O> o, Vec
                                    Length<R> t_max, const MeshSides<R>& sides) {
     using L = Length<R>;
     using A = Area<R>;
+    const A zero = A(0);
     MeshHit<R> best{t_max < t_max, t_max < t_max, t_max, Index<R>(0)};
     for (int k = 0; k < count; ++k) {
         const T& tri = triangles[k];
@@ -43,16 +44,17 @@ ZERKALO_INLINE MeshHit<R> mesh_hit(const T* triangles, int count, Vec3<O> o, Vec
         const A size = absolute(det);
         const A us = flip_sign(u, det);
         const A vs = flip_sign(v, det);
-        auto hit = (us >= A(0)) & (vs >= A(0)) & (us + vs <= size) & (size > A(0));
+        auto hit = (us >= zero) & (vs >= zero) & (us + vs <= size) & (size > zero);
         if (none(hit)) continue;
         // det > 0: the ray runs against the outward normal.
-        hit = hit & ((sides.front & (det > A(0))) | (sides.back & (det < A(0)))) & (sides.own_face != index_of<R>(k));
+        const auto face = index_of<R>(k);
+        hit = hit & ((sides.front & (det > zero)) | (sides.back & (det < zero))) & (sides.own_face != face);
         const L t = quotient<L>(dot_as<Volume<R>>(turned, tri.edge_ac), det);
         hit = hit & (t > t_min) & (t < best.t);
         best.t = select(hit, t, best.t);
-        best.face = select(hit, index_of<R>(k), best.face);
+        best.face = select(hit, face, best.face);
         best.hit = best.hit | hit;
-        best.back = select(hit, Mask<R>(det < A(0)), best.back);
+        best.back = select(hit, Mask<R>(det < zero), best.back);
     }
     return best;
 }

@@ -54,19 +54,20 @@ ZERKALO_INLINE Span<N> lateral_span(const T& tube, Vec3<Length<N>> o, Vec3<Direc
     }
     const L x = as<L>(o.x * d.z - o.z * d.x);
     const A disc = as<L>(w_x) * as<L>(w_x) + as<L>(w_z) * as<L>(w_z) - x * x;
-    auto exists = (disc >= A(0)) | (a < A(0));
+    const A zero = A(0);
+    auto exists = (disc >= zero) | (a < zero);
     if constexpr (Formats<N>::kFixed) exists = exists & (dot(o, o) <= A(tube.reach2));
     Span<N> span = empty_span<N>();
     if (none(exists)) return span;
 
     const A c = o.x * o.x + o.z * o.z - m * m;
-    const auto roots = roots_of_quadratic<L>(a, b, c, max(disc, A(0)));
+    const auto roots = roots_of_quadratic<L>(a, b, c, max(disc, zero));
     const L far = far_away<L>();
     L entry = min(roots.near_zero, roots.other);
     L exit = max(roots.near_zero, roots.other);
     if constexpr (Tapered) {
         // A steep ray (A < 0) stays inside beyond its last root where the radius grows, or before its first.
-        const auto steep = a < A(0);
+        const auto steep = a < zero;
         if (any(steep)) {
             const auto widening = n > Ratio<N>(0);
             const L first = entry;
@@ -75,9 +76,9 @@ ZERKALO_INLINE Span<N> lateral_span(const T& tube, Vec3<Length<N>> o, Vec3<Direc
         }
     }
     // Along the axis of a cylinder (or a generator through the apex) there is no root: inside for ever, or never.
-    const auto no_root = (a == A(0)) & (b == A(0));
+    const auto no_root = (a == zero) & (b == zero);
     if (any(no_root)) {
-        const auto inside = c <= A(0);
+        const auto inside = c <= zero;
         entry = select(no_root, select(inside, -far, far), entry);
         exit = select(no_root, select(inside, far, -far), exit);
     }
@@ -116,7 +117,9 @@ ZERKALO_INLINE Vec3<Direction<L>> tube_normal(const T& tube, Vec3<L> p, I face) 
     using D = Direction<L>;
     const Vec3<L> q = in_tube_axes(tube, p - tube.centre);
     const L across = root<L>(q.x * q.x + q.z * q.z);
-    const auto axial = (face == index_of<L>(kCapFace)) | (across == L(0));
+    const auto cap = index_of<L>(kCapFace);
+    const L none = L(0);
+    const auto axial = (face == cap) | (across == none);
     const auto scale = quotient<Inverse<L>>(D(tube.normal_scale), select(axial, L(1), across));
     const D x = select(axial, D(0), product<D>(q.x, scale));
     const D y = select(axial, D(1), D(product<D>(-tube.slope, tube.normal_scale)));
