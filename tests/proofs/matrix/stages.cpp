@@ -57,6 +57,7 @@ Vec3<R> normal_of(const Plan& plan, const CameraRay<R>& ray, const AnyHit<R>& hi
 
 void ZERKALO_STAGES(const Plan& plan, StageImages& out) {
     const CandidateMask everything = first_bits(plan.solid_count) | first_bits(plan.mirror_count) << kMaxSolids;
+    const bool close = (plan.features & kFeatureInside) != 0;
     for (int stage = 0; stage < kStageCount; ++stage) {
         out.values[stage].assign(static_cast<std::size_t>(plan.width * plan.height * kStageValues[stage]), 0);
     }
@@ -67,7 +68,7 @@ void ZERKALO_STAGES(const Plan& plan, StageImages& out) {
             const PixelLanes<R> pixel = pixel_lanes<R>(tile, first);
             const CameraRay<R> ray = camera_ray<R>(plan, pixel.x, pixel.y, sub_pixel<Uniform<R>>(0, 1));
             const AnyHit<R> hit = nearest_anywhere<R>(
-                plan, everything, ray.o, ray.d, departure_of_camera<R>(plan.camera, ray.d), active, ray.t_min, true);
+                plan, everything, ray.o, ray.d, departure_of_camera<R>(plan.camera, ray.d), active, ray.t_min, close);
             const Vec3<R> n = normal_of(plan, ray, hit, active);
             Scatter scatter(plan, tile, first, out);
             scatter.put(kCameraRay, {ray.o.x, ray.o.y, ray.o.z, ray.d.x, ray.d.y, ray.d.z, ray.t_min});
