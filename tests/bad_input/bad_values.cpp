@@ -16,7 +16,8 @@ int value_count(const Field& field) {
     switch (field.type) {
         case FieldType::real: return static_cast<int>(std::size(kBadReals));
         case FieldType::whole: return static_cast<int>(std::size(kBadWholes));
-        case FieldType::choice: break;
+        case FieldType::choice:
+        case FieldType::truth: break;
     }
     return 2;
 }
@@ -26,6 +27,7 @@ void spoil(Scene& scene, const Field& field, int value) {
         case FieldType::real: return set(scene, field, kBadReals[value]);
         case FieldType::whole: return set(scene, field, kBadWholes[value]);
         case FieldType::choice: return set(scene, field, meaningless(field, value));
+        case FieldType::truth: return set(scene, field, static_cast<std::uint8_t>(value));
     }
 }
 
@@ -36,6 +38,7 @@ std::string text_of(const Field& field, int value) {
         case FieldType::real: text << kBadReals[value]; break;
         case FieldType::whole: text << kBadWholes[value]; break;
         case FieldType::choice: text << "choice " << int{meaningless(field, value)}; break;
+        case FieldType::truth: text << (value == 0 ? "false" : "true"); break;
     }
     return text.str();
 }

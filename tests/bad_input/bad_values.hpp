@@ -23,7 +23,7 @@ constexpr std::int32_t kBadWholes[] = {
     std::numeric_limits<std::int32_t>::min(), -1, 0, 1, kMaxSides + 1, kMaxTriangles, 65537,
     std::numeric_limits<std::int32_t>::max()};
 
-/// How many values there are for a field. Choices get two that mean nothing: one past the last, and 255.
+/// How many values there are for a field. Choices get two that mean nothing: one past the last, and 255; a truth gets both.
 int value_count(const Field& field);
 
 /// Puts the value of this number into the field.

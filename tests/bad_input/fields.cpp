@@ -30,6 +30,7 @@ struct Collector {
         static_assert(sizeof x == 1);
         add(&x, 1, FieldType::choice, name, "", static_cast<std::uint8_t>(static_cast<int>(last) + 1));
     }
+    void truth(const bool& x, const char* name) { add(&x, 1, FieldType::truth, name, "transmission"); }
     void vector(const Vec3<double>& v, const char* name, const char* also = "") {
         const auto& [x, y, z] = v;
         real(x, name, also), real(y, name, also), real(z, name, also);
@@ -59,11 +60,12 @@ void visit(Collector to, const Light& light) {
 }
 
 void visit(Collector to, const Material& material) {
-    const auto& [color, ambient, diffuse, specular, shininess, reflection, transmission, refractive_index] = material;
+    const auto& [color, ambient, diffuse, specular, shininess, reflection, transmission, refractive_index, fresnel] =
+        material;
     to.colour(color, "color"), to.real(ambient, "ambient"), to.real(diffuse, "diffuse");
     to.real(specular, "specular"), to.real(shininess, "shininess");
-    to.real(reflection, "reflection", "transmission"), to.real(transmission, "transmission");
-    to.real(refractive_index, "refractive_index");
+    to.real(reflection, "reflection", "transmission"), to.real(transmission, "transmission", "fresnel");
+    to.real(refractive_index, "refractive_index"), to.truth(fresnel, "fresnel");
 }
 
 void visit(Collector to, const Solid& solid) {

@@ -10,8 +10,8 @@
 
 namespace zerkalo::bad_input {
 
-/// real: a double; whole: an int32; choice: an enumeration in one byte.
-enum class FieldType { real, whole, choice };
+/// real: a double; whole: an int32; choice: an enumeration in one byte; truth: a bool.
+enum class FieldType { real, whole, choice, truth };
 
 struct Field {
     Part part;

@@ -37,7 +37,7 @@ TEST(SceneFields, AllOfAScenesPartsAreInUseWhenItIsCrowded) {
         return std::count_if(fields.begin(), fields.end(), [part](const Field& field) { return field.part == part; });
     };
     // Fields a part: of an image, a camera, a light, a solid, a mirror without corners, a corner, a triangle.
-    constexpr int kImage = 2, kCamera = 11, kLight = 8, kSolid = 24, kMirror = 25, kCorner = 2, kTriangle = 9;
+    constexpr int kImage = 2, kCamera = 11, kLight = 8, kSolid = 25, kMirror = 25, kCorner = 2, kTriangle = 9;
     EXPECT_EQ(count(Part::image), kImage);
     EXPECT_EQ(count(Part::camera), kCamera);
     EXPECT_EQ(count(Part::scene), 3 + 3 + 4);

@@ -40,7 +40,7 @@ struct Schedule {
 constexpr Schedule kInTurn{"rows", 1};
 constexpr Schedule kSchedules[] = {{"backwards", 1}, {"shuffled", 1}, {"rows", 2}, {"shuffled", 3}, {"backwards", 8}};
 
-std::vector<int> tiles_in_order(const Plan& plan, std::string_view order) {
+std::vector<int> tiles_in_order(const PlanHead& plan, std::string_view order) {
     std::vector<int> tiles(static_cast<std::size_t>(tile_count(plan)));
     std::iota(tiles.begin(), tiles.end(), 0);
     if (order == "backwards") std::reverse(tiles.begin(), tiles.end());
@@ -48,11 +48,12 @@ std::vector<int> tiles_in_order(const Plan& plan, std::string_view order) {
     return tiles;
 }
 
-std::uint64_t radiance_hash(const Plan& plan, Isa isa, const Schedule& schedule) {
+template <class AnyPlan>
+std::uint64_t radiance_hash(const AnyPlan& plan, Isa isa, const Schedule& schedule) {
     std::vector<float> pixels(std::size_t{3} * plan.width * plan.height);
     const LinearImage image{pixels.data(), plan.width, plan.height, std::ptrdiff_t{12} * plan.width};
     const std::vector<int> tiles = tiles_in_order(plan, schedule.order);
-    const TileFunction render_tile = kernel_for(plan, isa);
+    const auto render_tile = kernel_for(plan, isa);
     std::atomic<std::size_t> next{0};
     const auto work = [&] {
         RayCounts counts;
@@ -93,11 +94,13 @@ void print_stages(const Plan& plan, const Place& at) {
 }
 
 /// Everything about one plan: its stages and pictures by every instruction set, its pictures by every schedule.
-void print_plan(const Plan& plan, const char* scene, const char* number) {
+template <class AnyPlan>
+void print_plan(const AnyPlan& plan, const char* scene, const char* number) {
     for (int i = 0; i < kIsaCount; ++i) {
         const Isa isa = static_cast<Isa>(i);
         if (!available(isa)) continue;
-        print_stages(plan, {scene, number, isa, kInTurn});
+        // The fixed-point kernel is one for all instruction sets and has no stages here.
+        if constexpr (std::is_same_v<AnyPlan, Plan>) print_stages(plan, {scene, number, isa, kInTurn});
         print({scene, number, isa, kInTurn}, "radiance", radiance_hash(plan, isa, kInTurn));
     }
     for (const Schedule& schedule : kSchedules) {
@@ -105,13 +108,17 @@ void print_plan(const Plan& plan, const char* scene, const char* number) {
     }
 }
 
-// A further number type is a further plan of the same scene, under its own name.
-bool print_scene(const NamedScene& named) {
-    const auto plan = std::make_unique<Plan>();
+template <class AnyPlan>
+bool print_number_type(const NamedScene& named, const char* number) {
+    const auto plan = std::make_unique<AnyPlan>();
     const Status status = prepare(named.scene, kSettings, *plan);
     if (!status.ok()) return std::fprintf(stderr, "%s: %s %s\n", named.name, status.field, status.reason), false;
-    print_plan(*plan, named.name, "float");
+    print_plan(*plan, named.name, number);
     return true;
+}
+
+bool print_scene(const NamedScene& named) {
+    return print_number_type<Plan>(named, "float") && print_number_type<FixedPlan>(named, "fixed");
 }
 
 }  // namespace

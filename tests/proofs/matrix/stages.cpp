@@ -44,7 +44,7 @@ Vec3<R> normal_of(const Plan& plan, const CameraRay<R>& ray, const AnyHit<R>& hi
     for (std::int32_t k = 0; k < plan.solid_count; ++k) {
         const Mask<R> here = Mask<R>(active & (hit.id == R(plan.solids[k].id)));
         if (none(here)) continue;
-        n = select(here, normal_towards(plan, plan.solids[k], ray.o + ray.d * hit.t, hit.face, ray.d, here), n);
+        n = select(here, normal_towards<R>(plan, plan.solids[k], ray.o + ray.d * hit.t, hit.face, ray.d, here), n);
     }
     for (std::int32_t m = 0; m < plan.mirror_count; ++m) {
         const Mask<R> here = Mask<R>(active & (hit.id == R(float(kMaxSolids + m))));
@@ -57,7 +57,7 @@ Vec3<R> normal_of(const Plan& plan, const CameraRay<R>& ray, const AnyHit<R>& hi
 
 void ZERKALO_STAGES(const Plan& plan, StageImages& out) {
     const CandidateMask everything = first_bits(plan.solid_count) | first_bits(plan.mirror_count) << kMaxSolids;
-    const Departure<R> nowhere{R(-1), R(-1), Mask<R>(false)};
+    const bool close = (plan.features & kFeatureInside) != 0;
     for (int stage = 0; stage < kStageCount; ++stage) {
         out.values[stage].assign(static_cast<std::size_t>(plan.width * plan.height * kStageValues[stage]), 0);
     }
@@ -66,8 +66,9 @@ void ZERKALO_STAGES(const Plan& plan, StageImages& out) {
         for (int first = 0; first < tile.height * kTileSide; first += kWidth<R>) {
             const Mask<R> active = Mask<R>(lanes_inside<R>(tile, first));
             const PixelLanes<R> pixel = pixel_lanes<R>(tile, first);
-            const CameraRay<R> ray = camera_ray(plan, pixel.x, pixel.y, sub_pixel(0, 1));
-            const AnyHit<R> hit = nearest_anywhere(plan, everything, ray.o, ray.d, nowhere, active, ray.t_min);
+            const CameraRay<R> ray = camera_ray<R>(plan, pixel.x, pixel.y, sub_pixel<Uniform<R>>(0, 1));
+            const AnyHit<R> hit = nearest_anywhere<R>(
+                plan, everything, ray.o, ray.d, departure_of_camera<R>(plan.camera, ray.d), active, ray.t_min, close);
             const Vec3<R> n = normal_of(plan, ray, hit, active);
             Scatter scatter(plan, tile, first, out);
             scatter.put(kCameraRay, {ray.o.x, ray.o.y, ray.o.z, ray.d.x, ray.d.y, ray.d.z, ray.t_min});
