@@ -162,6 +162,9 @@ double s42_ours(const Stage& stage) {
             Scene& scene = in.scene;
             scene.mirrors[0].reflection = scene.mirrors[0].diffuse = scene.mirrors[0].specular = 0;
             add(scene, ball(exact::plus(scene.mirrors[0].position, exact::times(in.n, front ? 1 : -1)), 0.5, chalk()));
+            const exact::Vec beside = exact::plus(scene.mirrors[0].position, exact::times(in.right, 4));
+            const exact::Vec eye = exact::plus(beside, exact::times(in.n, front ? 0.75 : -0.75));
+            scene.camera = camera_at(eye, exact::minus(scene.solids[0].position, eye), 0.4);
             const Picture with = stage.render(scene, kSide, kSide);
             scene.mirror_count = 0;
             wrong += pixels_apart(with, stage.render(scene, kSide, kSide));
