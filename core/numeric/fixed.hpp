@@ -2,13 +2,14 @@
 //
 //     Q4.27  lengths      -16 .. 16, step 7.5e-9     Q1.30  directions    -2 .. 2, step 9.3e-10
 //     Q9.54  areas       -512 .. 512                 Q3.60  squares of directions     -8 .. 8
+// and the others of FixedFormats and FixedNumbers: colours, exponents, phases.
 //
 // A product of 32-bit numbers has 64 bits and the sum of their fractions, exactly; `as<To>` rounds it to nearest, ties
 // away from zero, so that every result changes sign with its operands. Sums stay in their format. Nothing wraps: what
 // leaves a format's range stays at its end, as a float's infinity does, and quotients by zero are at that end.
 // Formats do not mix, and floats do not convert: each change of format is written down.
-// Range of a scene: coordinates within +-4 keep differences of points within +-8 and products within their formats;
-// a distance of far_away() or more is no hit.
+// Range of a scene: coordinates within +-8 and ways within 15 (render/fit.hpp) keep differences of points and products
+// within their formats; a distance of far_away() or more is no hit.
 // Source: Heinly, Recker, Bensema, Porch, Gribble, "Integer Ray Tracing", JGT 14(4), 2009.
 #pragma once
 

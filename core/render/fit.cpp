@@ -7,8 +7,8 @@ namespace {
 constexpr double kBox = 8, kLongestWay = 15;
 // What a camera or a light far away may take from the scale of the objects.
 constexpr double kMostDistance = 128;
-// The smallest solid or mirror, in the box: 2^-14 is 8192 steps of a length.
-constexpr double kLeastRadius = 0x1p-14;
+// The smallest solid or mirror, in the box: 65536 steps of a length.
+constexpr double kLeastRadius = 0x1p-11;
 // Below the 16 where ratios, curvatures and the radius of a cone at its bounding ball end.
 constexpr double kMostRatio = 15;
 constexpr double kMostRefraction = 8;
@@ -67,7 +67,7 @@ Status check_solid(const Solid& solid, const Ball& ball, double scale, std::int3
     const auto complain = [k](const char* field, const char* reason) { return Status{field, reason, Part::solid, k}; };
     if (ball.radius * scale < kLeastRadius) {
         return complain(solid.kind == SolidKind::mesh ? "scale" : "radius",
-                        "is too small beside the whole scene for fixed point: at least 1/131072 of its box");
+                        "is too small beside the whole scene for fixed point: at least 1/32768 of its box");
     }
     if (solid.kind == SolidKind::cylinder || solid.kind == SolidKind::cone) {
         const double slope = magnitude(slope_of(solid));
@@ -86,7 +86,7 @@ Status check_solid(const Solid& solid, const Ball& ball, double scale, std::int3
 Status check_mirror(const Mirror& mirror, const Ball& ball, double scale, std::int32_t m) {
     const auto complain = [m](const char* field, const char* reason) { return Status{field, reason, Part::mirror, m}; };
     if (ball.radius * scale < kLeastRadius) {
-        return complain("boundary", "is too small beside the whole scene for fixed point: at least 1/131072 of its box");
+        return complain("boundary", "is too small beside the whole scene for fixed point: at least 1/32768 of its box");
     }
     if (magnitude(mirror.curvature_radius) * scale * kMostRatio < 1) {
         return complain("curvature_radius", "is too small beside the whole scene for fixed point: at least 1/240 of its box");

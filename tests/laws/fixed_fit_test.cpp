@@ -84,7 +84,10 @@ TEST(FixedFit, WhatTheFormatsCannotHoldIsRefusedByItsField) {
         Scene scene = simple_scene();
         refusal.change(scene);
         const Status status = prepare(scene, of_size(8, 8), *plan);
-        ASSERT_FALSE(status.ok()) << refusal.what;
+        if (status.ok()) {
+            ADD_FAILURE() << refusal.what << ": accepted";
+            continue;
+        }
         EXPECT_STREQ(status.field, refusal.field) << refusal.what;
         EXPECT_EQ(status.part, refusal.part) << refusal.what;
         EXPECT_EQ(status.index, refusal.index) << refusal.what;

@@ -70,12 +70,13 @@ struct Entry {
     int samples;
     CountedRays counted;
     Extent extent;
+    Number number = Number::floating;
 };
 
 void run_entry(benchmark::State& state, const Entry& entry) {
     Settings settings;
     settings.samples = entry.samples;
-    const Frame frame = prepare_frame(*entry.scene, settings, entry.isa, 1);
+    const Frame frame = prepare_frame(*entry.scene, settings, entry.isa, 1, entry.number);
     const int tiles = tile_count(frame.head());
     const bool one_tile = entry.extent == Extent::tile;
     // The tile in the middle of the picture, which shows more than background in most scenes.
@@ -108,6 +109,14 @@ void add_frames(std::vector<Entry>& entries, Isa isa, const std::shared_ptr<cons
     }
 }
 
+// The fixed-point kernel is the same for every instruction set.
+void add_fixed_frames(std::vector<Entry>& entries, const std::shared_ptr<const Scene>& scene) {
+    for (const int samples : {1, 16}) {
+        const std::string name = "frame/samples:" + std::to_string(samples) + "/fixed";
+        entries.push_back({name, Isa::scalar, scene, samples, total_of, Extent::frame, Number::fixed});
+    }
+}
+
 std::vector<Entry> entries_for(const BenchOptions& options) {
     const std::shared_ptr<const Scene> scene =
         options.scene.empty() ? ordinary_scene() : read_scene(options.scene).scene;
@@ -118,6 +127,7 @@ std::vector<Entry> entries_for(const BenchOptions& options) {
         add_kernels(entries, isa);
         add_frames(entries, isa, scene);
     }
+    add_fixed_frames(entries, scene);
     return entries;
 }
 
