@@ -5,13 +5,11 @@
 #include "core/render/lattice_chunk.hpp"
 #include "core/render/meet.hpp"
 #include "core/render/render.hpp"
+#include "core/render/surroundings.hpp"
 #include "core/scene/validate.hpp"
 
 namespace zerkalo {
 namespace {
-
-// A camera or light farther than this many scene radii would waste the digits of a float origin.
-constexpr double kFarRadii = 64;
 
 Status check(const Settings& settings, const ImageSize& size) {
     const auto complain = [](const char* field, const char* reason) {
@@ -46,67 +44,6 @@ Viewpoint viewpoint_of(const Camera& camera, const ImageSize& size) {
     eye.tan_half_width = horizontal ? given : given * size.width / size.height;
     eye.tan_half_height = horizontal ? given * size.height / size.width : given;
     return eye;
-}
-
-Ball ball_around(const Ball* balls, std::int32_t count) {
-    if (count == 0) return {{0, 0, 0}, 0};
-    Ball all = balls[0];
-    for (std::int32_t k = 1; k < count; ++k) {
-        const Point way = balls[k].centre - all.centre;
-        const double distance = length(way);
-        if (distance + balls[k].radius <= all.radius) continue;
-        if (distance + all.radius <= balls[k].radius) {
-            all = balls[k];
-            continue;
-        }
-        const double radius = (distance + all.radius + balls[k].radius) / 2;
-        all.centre = all.centre + way * ((radius - all.radius) / distance);
-        all.radius = radius;
-    }
-    return all;
-}
-
-void derive_surroundings(const Scene& scene, Surroundings& around) {
-    Ball balls[kMaxSolids + kMaxMirrors];
-    std::int32_t count = 0;
-    for (std::int32_t k = 0; k < scene.solid_count; ++k) {
-        around.solids[k] = ball_of(scene, scene.solids[k]);
-        balls[count++] = around.solids[k];
-    }
-    for (std::int32_t m = 0; m < scene.mirror_count; ++m) {
-        around.mirrors[m] = ball_of(scene.mirrors[m]);
-        balls[count++] = around.mirrors[m];
-    }
-    around.all = ball_around(balls, count);
-}
-
-bool is_far(const Point& p, const Surroundings& around) {
-    return around.all.radius > 0 && length(p - around.all.centre) > kFarRadii * around.all.radius;
-}
-
-/// The nearest whole number; halves go to the even one, so that it changes sign with x.
-double nearest_whole(double x) {
-    constexpr double kShift = 0x1.8p52;
-    return magnitude(x) < 0x1p51 ? (x + kShift) - kShift : x;
-}
-
-/// A scene far from the world's origin, by its own size, would waste the digits of floats that count from there. They
-/// count from a point near the scene instead: a multiple of a power of two that grows with the scene, so that places on
-/// a grid stay on it, and a scene that is shifted by such multiples gives the same bits.
-Point origin_for(const Ball& all) {
-    if (!(all.radius > 0)) return {0, 0, 0};
-    double step = 1;
-    while (step < kFarRadii * all.radius) step *= 2;
-    while (step / 2 >= kFarRadii * all.radius) step /= 2;
-    const auto near = [step](double x) { return nearest_whole(x / step) * step; };
-    return {near(all.centre.x), near(all.centre.y), near(all.centre.z)};
-}
-
-/// How far a far camera's origin is moved along its view; 0 of a near one.
-double pull_of(const Viewpoint& eye, const Surroundings& around) {
-    if (!is_far(eye.position, around)) return 0;
-    const double pull = dot(around.all.centre - eye.position, eye.view);
-    return pull > 0 ? pull : 0;
 }
 
 /// Seed formulas 2.9, 2.10. A far camera's rays start on the plane through the scene's centre: see CameraPlan.
