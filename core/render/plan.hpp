@@ -97,7 +97,7 @@ struct CameraPlanOf {
     Vec3<typename F::View> view, step_x, step_y;
     Vec3<typename F::FarStep> origin_step_x, origin_step_y;
     typename F::FarStep pull;
-    std::int32_t stands_on;                  // a surface nearer than floats can tell: solid k, kMaxSolids + mirror, or -1
+    std::int32_t stands_on;                 // a surface nearer than floats can tell: solid, kMaxSolids + mirror, or -1
     Vec3<typename F::Direction> out_of_it;  // the outward normal of that solid there; otherwise 0
 };
 using CameraPlan = CameraPlanOf<FloatFormats>;
