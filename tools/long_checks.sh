@@ -12,7 +12,7 @@ Usage: tools/long_checks.sh [--rays N] [--leak-rays N] [--only oracle|leaks|muta
   mutants  tools/mutants/run.py: every formula made wrong must be caught by a law
 
 Needs what tools/test.sh installs. One after the other; oracle takes all processors. On two: a quarter of an hour for
-oracle, ten minutes for leaks, half an hour for mutants. Logs: build/long_checks/.
+oracle, ten minutes for leaks, forty minutes for mutants. Logs: build/long_checks/.
 Exit code: 0 all hold, 1 something does not, 2 wrong command line.
 END
 }

@@ -15,7 +15,7 @@ struct Crossing {
     Real80 cosine = 1;     // of incidence, |n.d| / |d|; at an edge that of the flattest face that meets there
     Real80 bend = kFar80;  // radius of curvature
     Real80 rim = kFar80;   // how far inside the outline, along the surface; negative outside
-    Real80 loss = 1;       // by how much roundings weigh more here than elsewhere, see tip_loss()
+    Real80 loss = 1;       // by how much roundings weigh more here: at tips of cones, on flat triangles
 };
 
 /// Near the tip of a cone A, B and C of the quadratic vanish together, but are differences of numbers of the solid's
@@ -114,7 +114,10 @@ inline Crossings triangle_crossings(const TriangleData& triangle, const Exact3& 
         return dot(cross(normal, unit(edge)), p - from);
     };
     const Real80 rim = std::min({inside_of(a, ab), inside_of(a + ab, ac - ab), inside_of(a + ac, -ac)});
-    return {1, {{t, std::abs(along) / length(d), kFar80, rim}, {}}};
+    // The plane is told by two edges: what they lack of a right angle is lost.
+    const Real80 longest = std::max({length(ab), length(ac), length(ac - ab)});
+    const Real80 loss = longest * longest / length(cross(ab, ac));
+    return {1, {{t, std::abs(along) / length(d), kFar80, rim, loss}, {}}};
 }
 
 }  // namespace zerkalo::test

@@ -2,7 +2,7 @@
 //
 // Errors of t are in ulps of the reach, the larger of |t| and the primitive's size: a float t is no better than its own
 // spacing. Shifts of the surface are in roundings, 2^-24 of the way from the ray's origin to the primitive's far end.
-// Both are divided by what is lost near the tip of a cone (Crossing::loss).
+// Both are divided by what is lost near the tip of a cone and on a flat triangle (Crossing::loss).
 #pragma once
 
 #include "tests/core/support/rays.hpp"
