@@ -65,7 +65,8 @@ ZERKALO_INLINE constexpr std::int64_t minus_log2_of(std::int64_t y) {
     const std::int64_t d = halved ? off : off + off;
     const auto stop = static_cast<std::size_t>(k - kLeastStop);
     // f = v / (k / 64) - 1 in 2^-66; |f| <= 1/90.
-    const std::int64_t f = rescaled_wide_product<std::int64_t, 60>(d, static_cast<std::int64_t>(kLogStops.inverse[stop]));
+    const auto inverse = static_cast<std::int64_t>(kLogStops.inverse[stop]);
+    const std::int64_t f = rescaled_wide_product<std::int64_t, 60>(d, inverse);
     // log2(1 + f) = f / ln 2 (1 - f/2 + f^2/3 - f^3/4 + f^4/5), the bracket in 2^-30.
     const std::int64_t g = rescaled<std::int64_t, 36>(f);
     constexpr std::int64_t kOne = std::int64_t{1} << 30;
