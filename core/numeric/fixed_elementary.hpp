@@ -164,7 +164,7 @@ ZERKALO_INLINE auto one_minus_power(Fixed<A, F> u, Fixed<B, FS> s) {
         u.raw, s.raw));
 }
 
-/// (1 - x)^n for 0 <= x as in elementary.hpp. Error below 2^-27 and n 2^-61, the rounding of 1 - x.
+/// (1 - x)^n for 0 <= x as in elementary.hpp. Error below 2^-27 and n 2^-57, the steps of 1 - x and of its logarithm.
 template <class A, class B, int FN>
 ZERKALO_INLINE auto power_of_one_minus(Fixed<A, 61> x, Fixed<B, FN> n) {
     return with_fraction<60>(each_lane(
