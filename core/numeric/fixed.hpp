@@ -57,7 +57,8 @@ template <class A, int FA, class B, int FB>
         each_lane([](std::int32_t x, std::int32_t y) { return std::int64_t{x} * y; }, a.raw, b.raw));
 }
 
-// Free of side effects, and said to be, as sums and products are: at width 1 their answers are joined by & and |, which clang asks about.
+// Free of side effects, and said to be, as sums and products are: at width 1 their answers are joined by & and |, which
+// clang asks about.
 template <class A, class B, int F>
     requires SameElement<A, B>
 [[gnu::const]] ZERKALO_INLINE constexpr auto operator<(Fixed<A, F> a, Fixed<B, F> b) {

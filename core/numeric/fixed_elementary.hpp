@@ -65,7 +65,8 @@ ZERKALO_INLINE constexpr std::int64_t minus_log2_of(std::int64_t y) {
     const std::int64_t d = halved ? off : off + off;
     const auto stop = static_cast<std::size_t>(k - kLeastStop);
     // f = v / (k / 64) - 1 in 2^-66; |f| <= 1/90.
-    const std::int64_t f = rescaled_wide_product<std::int64_t, 60>(d, static_cast<std::int64_t>(kLogStops.inverse[stop]));
+    const auto inverse = static_cast<std::int64_t>(kLogStops.inverse[stop]);
+    const std::int64_t f = rescaled_wide_product<std::int64_t, 60>(d, inverse);
     // log2(1 + f) = f / ln 2 (1 - f/2 + f^2/3 - f^3/4 + f^4/5), the bracket in 2^-30.
     const std::int64_t g = rescaled<std::int64_t, 36>(f);
     constexpr std::int64_t kOne = std::int64_t{1} << 30;
@@ -163,7 +164,7 @@ ZERKALO_INLINE auto one_minus_power(Fixed<A, F> u, Fixed<B, FS> s) {
         u.raw, s.raw));
 }
 
-/// (1 - x)^n for 0 <= x as in elementary.hpp. Error below 2^-27 and n 2^-61, the rounding of 1 - x.
+/// (1 - x)^n for 0 <= x as in elementary.hpp. Error below 2^-27 and n 2^-57, the steps of 1 - x and of its logarithm.
 template <class A, class B, int FN>
 ZERKALO_INLINE auto power_of_one_minus(Fixed<A, 61> x, Fixed<B, FN> n) {
     return with_fraction<60>(each_lane(

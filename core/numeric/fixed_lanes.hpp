@@ -196,7 +196,8 @@ ZERKALO_INLINE constexpr To rounded_quotient(std::int64_t a, std::int64_t b) {
     return saturated<To>((dividend + divisor / 2) / divisor, (a < 0) != (b < 0));
 }
 
-/// a 2^Shift / b where the shifted dividend need not fit into 64 bits: off by at most one step and 2^-30 of the quotient.
+/// a 2^Shift / b where the shifted dividend need not fit into 64 bits: off by at most one step and 2^-30 of the
+/// quotient.
 template <std::signed_integral To, int Shift>
 ZERKALO_INLINE constexpr To long_quotient(std::int64_t a, std::int64_t b) {
     const std::uint64_t x = magnitude_of(a), y = magnitude_of(b);
