@@ -140,7 +140,8 @@ std::vector<std::string> keys_offered(const std::string& text) {
 }
 
 TEST(BadInput, TheFilesHoldEveryKeyThatTakesANumber) {
-    std::set<std::string> held{"title", "kind", "falloff", "stl", "lobe", "shape"};  // these take words
+    std::set<std::string> held{"title", "kind", "falloff", "stl", "lobe", "shape"};  // these take words,
+    held.insert("fresnel");                                                          // this true or false,
     held.insert({"image", "camera", "light", "solid", "mirror", "boundary"});        // and these are tables
     for (const SceneText& text : scene_texts()) {
         for (const NumberToken& token : text.numbers) held.insert(token.key);
