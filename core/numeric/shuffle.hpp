@@ -69,6 +69,20 @@ ZERKALO_INLINE R pick(const float* table, R index) {
     }
 }
 
+/// source[index[k]] of each lane k.
+template <class R>
+ZERKALO_INLINE R gather(const float* source, const std::uint8_t* index) {
+#if defined(__AVX2__)
+    if constexpr (kWidth<R> == 8) return R(typename R::Batch(native_gather_8(source, index)));
+#endif
+#if defined(__AVX512F__)
+    if constexpr (kWidth<R> == 16) return R(typename R::Batch(native_gather_16(source, index)));
+#endif
+    alignas(64) float lanes[kWidth<R>];
+    for (int lane = 0; lane < kWidth<R>; ++lane) lanes[lane] = source[index[lane]];
+    return load<R>(lanes);
+}
+
 /// Of the three vectors that hold n interleaved triples, the one whose lane k belongs to the given channel.
 constexpr int triple_vector(int n, int channel, int k) {
     int j = 0;

@@ -8,6 +8,7 @@
 // of max-Phong: Neumann, Neumann, Szirmay-Kalos, "Compact Metallic Reflectance Models", CGF 18(3), 1999.
 #pragma once
 
+#include "core/numeric/shuffle.hpp"
 #include "core/render/lobe_aim.hpp"
 #include "core/render/tile.hpp"
 
@@ -58,14 +59,6 @@ ZERKALO_INLINE void fill_queue(GlossQueue& queue, std::uint64_t pixels, bool wei
         store(queue.r + at, R(0)), store(queue.g + at, R(0)), store(queue.b + at, R(0));
         if (weighted) store(queue.weight + at, R(0));
     }
-}
-
-/// The values of `source` at the pixels of one packet.
-template <class R>
-ZERKALO_INLINE R gather(const float* source, const std::uint8_t* pixels) {
-    alignas(64) float lanes[kWidth<R>];
-    for (int lane = 0; lane < kWidth<R>; ++lane) lanes[lane] = source[pixels[lane]];
-    return load<R>(lanes);
 }
 
 /// The mirror's normal in the lobe's frame.
