@@ -67,7 +67,7 @@ ZERKALO_INLINE Rgb<R> packet_light(const Plan& plan, const TileView& view, Vec3<
     const Vec3<R> n = spread<R>(mirror.shape.n);
     const Spot<R> spot{o + d * crossing.t, front ? n : -n, d, R(float(kMaxSolids)), on_mirror};
     const SurfaceData& surface = front ? mirror.front : mirror.back;
-    Rgb<R> seen = local_light(plan, spot, surface, view.mirror_blockers, counts);
+    Rgb<R> seen = local_light(plan, spot, surface, view.mirror_blockers, surface.unlit_by, counts);
     if (front && mirror.reflects) {
         Rgb<R> reflected;
         if constexpr (Glossy) {

@@ -18,13 +18,14 @@ struct Spot {
     Mask<R> active;
 };
 
-/// The local part of seed formula 1.5, for one surface. Lanes that are not active are meaningless.
+/// The local part of seed formula 1.5, for one surface. Lanes that are not active are meaningless. Bit j of `unlit_by`:
+/// light j is known not to reach it (only sides of mirrors have such: see SurfaceData).
 template <class R>
 ZERKALO_INLINE Rgb<R> local_light(const Plan& plan, const Spot<R>& spot, const SurfaceData& surface,
-                                  const Blockers& blockers, TileCounts& counts) {
+                                  const Blockers& blockers, std::uint32_t unlit_by, TileCounts& counts) {
     Rgb<R> sum = spread<R>(surface.ambient);
     for (std::int32_t j = 0; j < plan.light_count; ++j) {
-        if (surface.unlit_by >> j & 1) continue;
+        if (unlit_by >> j & 1) continue;
         const LightPlan& light = plan.lights[j];
         const ToLight<R> to = towards(light.data, spot.p, spot.n);
         const auto lit = spot.active & (to.n_dot_l > R(0));
@@ -45,7 +46,7 @@ template <class R>
 ZERKALO_INLINE Rgb<R> light_of_solid(const Plan& plan, const SolidPlan& solid, Vec3<R> p, R face, Vec3<R> d, Mask<R> here,
                                      TileCounts& counts) {
     const Spot<R> spot{p, normal_towards<R>(plan, solid, p, face, d, here), d, R(solid.id), here};
-    return local_light(plan, spot, solid.surface, solid.blockers, counts);
+    return local_light(plan, spot, solid.surface, solid.blockers, 0, counts);
 }
 
 /// Light that the hit solids send back along the rays, solid by solid; `otherwise` where no lane is active.
