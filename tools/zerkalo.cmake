@@ -3,8 +3,8 @@ find_package(CLI11 REQUIRED)
 find_package(benchmark REQUIRED)
 find_package(Threads REQUIRED)
 
-set(zerkalo_sources
-  zerkalo/main.cpp
+# All but main.cpp, which knows whether there is a bench: compiled once for both programs.
+add_library(zerkalo_commands OBJECT
   zerkalo/options.cpp
   zerkalo/messages.cpp
   zerkalo/json.cpp
@@ -20,10 +20,16 @@ set(zerkalo_sources
   zerkalo/show_command.cpp
   zerkalo/doctor_command.cpp
   zerkalo/stability_command.cpp)
+target_include_directories(zerkalo_commands PUBLIC ${PROJECT_SOURCE_DIR})
+target_compile_definitions(zerkalo_commands PUBLIC ZERKALO_VERSION="${PROJECT_VERSION}")
+target_link_libraries(zerkalo_commands PUBLIC zerkalo_options zerkalo_scene_file zerkalo_stability zerkalo::core
+  CLI11::CLI11 Threads::Threads)
+# The headers alone: what stands for the library is the program's choice.
+target_include_directories(zerkalo_commands PRIVATE $<TARGET_PROPERTY:zerkalo_platform,INTERFACE_INCLUDE_DIRECTORIES>)
 
 # zerkalo_program(NAME PLATFORM...): the program, with what stands for the platform library.
 function(zerkalo_program name)
-  add_executable(${name} ${zerkalo_sources})
+  add_executable(${name} zerkalo/main.cpp $<TARGET_OBJECTS:zerkalo_commands>)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_definitions(${name} PRIVATE ZERKALO_VERSION="${PROJECT_VERSION}")
   target_link_libraries(${name} PRIVATE zerkalo_options zerkalo_scene_file zerkalo_stability ${ARGN} zerkalo::core
