@@ -95,7 +95,7 @@ void expect_bounds(const Tally& tally, Real80 error, Real80 shift) {
     // Otherwise the rays would say little.
     EXPECT_GT(tally.hits, tally.rays / 32);
     EXPECT_GT(tally.rays - tally.hits, tally.rays / 32);
-    EXPECT_GT(tally.grazing_ends, tally.rays / 2000);
+    EXPECT_GT(tally.grazing_ends, tally.rays / 4000);
     EXPECT_LT(tally.unjudged, tally.rays / 20);
 }
 
