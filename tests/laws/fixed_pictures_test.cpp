@@ -72,7 +72,9 @@ TEST(FixedPictures, OfSharpShippedScenesAreThoseOfTheReference) {
 }
 
 TEST(FixedPictures, SendTheRaysThatFloatSends) {
-    for (const auto& [name, scene] : shipped_scenes()) {
+    for (const ShippedScene& shipped : shipped_scenes()) {
+        const std::string& name = shipped.name;
+        const Scene& scene = shipped.scene;
         const Image fixed = render_fixed(sharpened(scene), of_size(64, 48));
         const Image floats = render(sharpened(scene), of_size(64, 48));
         EXPECT_EQ(fixed.rays.primary, floats.rays.primary) << name;
