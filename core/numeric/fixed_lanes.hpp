@@ -79,6 +79,13 @@ ZERKALO_INLINE constexpr std::uint32_t bits_of(IntLanes<bool, W> m) {
     for (int k = 0; k < W; ++k) bits |= (m.v[k] ? 1u : 0u) << k;
     return bits;
 }
+/// Number of lanes set in the mask, at any width.
+template <int W>
+ZERKALO_INLINE constexpr std::uint32_t count_of(IntLanes<bool, W> m) {
+    std::uint32_t count = 0;
+    for (int k = 0; k < W; ++k) count += m.v[k];
+    return count;
+}
 
 // Unsigned lanes wrap: phases and hashes.
 template <int W>
