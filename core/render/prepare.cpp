@@ -224,17 +224,24 @@ Status check(const Scene& scene, const Settings& settings, ImageSize& size) {
     return check(settings, size);
 }
 
+/// What both kinds of plan begin with: the checks, the head, and where everything is.
+Status begin(const Scene& scene, const Settings& settings, PlanHead& plan, Surroundings& around, Viewpoint& eye) {
+    ImageSize size;
+    if (const Status status = check(scene, settings, size); !status.ok()) return status;
+    derive_head(scene, settings, size, plan);
+    derive_surroundings(scene, around);
+    plan.origin = origin_for(around.all);
+    eye = viewpoint_of(scene.camera, size);
+    return kOk;
+}
+
 }  // namespace
 
 Status prepare(const Scene& scene, const Settings& settings, Plan& plan) {
     const IeeeMode ieee;
-    ImageSize size;
-    if (const Status status = check(scene, settings, size); !status.ok()) return status;
-    derive_head(scene, settings, size, plan);
     Surroundings around;
-    derive_surroundings(scene, around);
-    const Viewpoint eye = viewpoint_of(scene.camera, size);
-    plan.origin = origin_for(around.all);
+    Viewpoint eye;
+    if (const Status status = begin(scene, settings, plan, around, eye); !status.ok()) return status;
     const Constants<FloatFormats> to(plan.origin);
     const Status status = derive_plan(scene, settings, around, eye, to, plan);
     if (status.ok()) derive_one_bounce(scene, settings, eye, to, plan);
@@ -243,14 +250,10 @@ Status prepare(const Scene& scene, const Settings& settings, Plan& plan) {
 
 Status prepare(const Scene& scene, const Settings& settings, FixedPlan& plan) {
     const IeeeMode ieee;
-    ImageSize size;
-    if (const Status status = check(scene, settings, size); !status.ok()) return status;
-    derive_head(scene, settings, size, plan);
     Surroundings around;
-    derive_surroundings(scene, around);
-    const Viewpoint eye = viewpoint_of(scene.camera, size);
+    Viewpoint eye;
+    if (const Status status = begin(scene, settings, plan, around, eye); !status.ok()) return status;
     Constants<FixedFormats> to;
-    plan.origin = origin_for(around.all);
     const Point start = eye.position + eye.view * pull_of(eye, around);
     if (const Status status = fit(scene, around, plan.origin, start, to); !status.ok()) return status;
     plan.exposure = to.exposure();

@@ -10,17 +10,6 @@
 namespace zerkalo::laws {
 namespace {
 
-Scene simple_scene() {
-    Scene scene;
-    scene.background = {0.1, 0.2, 0.3};
-    add_five_solids(scene, 1);
-    add(scene, lamp({-3, 5, 4}));
-    add(scene, ideal_mirror({0, 1, -1}, {0, 0, 1}, 4));
-    scene.mirrors[0].diffuse = 0.25;
-    scene.camera = camera_at({0.7, 2.1, 6}, {-0.1, -0.15, -1}, 0.8);
-    return scene;
-}
-
 Vec3<double> times(double s, const Vec3<double>& v) { return {s * v.x, s * v.y, s * v.z}; }
 
 /// Every length of a simple scene times s.

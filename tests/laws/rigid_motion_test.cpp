@@ -42,20 +42,9 @@ Scene moved(Scene scene, const Motion& motion) {
 }
 
 Scene five_solids_before(double curvature_radius) {
-    Scene scene;
-    scene.background = {0.1, 0.2, 0.3};
-    add_five_solids(scene, 1);
+    Scene scene = five_solids_before_mirror_aslant(curvature_radius);
     scene.solids[0].material = clear_glass(1.5);
     scene.solids[0].material.fresnel = true;
-    add(scene, lamp({-3, 5, 4}));
-    add(scene, lamp({1, 3, 6}));
-    Mirror mirror = ideal_mirror({0.25, 1, -1}, {0.125, 0, 1}, 4);
-    mirror.curvature_radius = curvature_radius;
-    mirror.diffuse = 0.25;
-    mirror.specular = 0.5;
-    mirror.shininess = 20;
-    add(scene, mirror);
-    scene.camera = camera_at({0.7, 2.1, 6}, {-0.1, -0.15, -1}, 0.8);
     return scene;
 }
 

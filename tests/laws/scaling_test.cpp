@@ -35,17 +35,6 @@ Scene larger(Scene scene, double s) {
     return scene;
 }
 
-Scene simple_scene() {
-    Scene scene;
-    scene.background = {0.1, 0.2, 0.3};
-    add_five_solids(scene, 1);
-    add(scene, lamp({-3, 5, 4}));
-    add(scene, ideal_mirror({0, 1, -1}, {0, 0, 1}, 4));
-    scene.mirrors[0].diffuse = 0.25;
-    scene.camera = camera_at({0.7, 2.1, 6}, {-0.1, -0.15, -1}, 0.8);
-    return scene;
-}
-
 /// Glass, a hollow mirror, a mesh, two lamps of which one fades.
 Scene rich_scene() {
     Scene scene = simple_scene();

@@ -89,6 +89,33 @@ void add_five_solids(Scene& scene, double z) {
     }
 }
 
+Scene simple_scene() {
+    Scene scene;
+    scene.background = {0.1, 0.2, 0.3};
+    add_five_solids(scene, 1);
+    add(scene, lamp({-3, 5, 4}));
+    add(scene, ideal_mirror({0, 1, -1}, {0, 0, 1}, 4));
+    scene.mirrors[0].diffuse = 0.25;
+    scene.camera = camera_at({0.7, 2.1, 6}, {-0.1, -0.15, -1}, 0.8);
+    return scene;
+}
+
+Scene five_solids_before_mirror_aslant(double curvature_radius) {
+    Scene scene;
+    scene.background = {0.1, 0.2, 0.3};
+    add_five_solids(scene, 1);
+    add(scene, lamp({-3, 5, 4}));
+    add(scene, lamp({1, 3, 6}));
+    Mirror mirror = ideal_mirror({0.25, 1, -1}, {0.125, 0, 1}, 4);
+    mirror.curvature_radius = curvature_radius;
+    mirror.diffuse = 0.25;
+    mirror.specular = 0.5;
+    mirror.shininess = 20;
+    add(scene, mirror);
+    scene.camera = camera_at({0.7, 2.1, 6}, {-0.1, -0.15, -1}, 0.8);
+    return scene;
+}
+
 Camera camera_at(const Vec3<double>& position, const Vec3<double>& view, double fov) {
     Camera camera;
     camera.position = position;

@@ -35,6 +35,12 @@ void add(Scene& scene, const Mirror& mirror);
 /// A sphere, a cone, a prism, a pyramid and a cylinder, turned every way, about the point (0, 1, z).
 void add_five_solids(Scene& scene, double z);
 
+/// The five solids under one lamp before a plane mirror.
+Scene simple_scene();
+
+/// The five solids under two lamps before a mirror of this curvature radius that faces aside and shines.
+Scene five_solids_before_mirror_aslant(double curvature_radius);
+
 /// A camera at `position` that looks along `view`, `fov` radians across.
 Camera camera_at(const Vec3<double>& position, const Vec3<double>& view, double fov);
 
