@@ -2,7 +2,8 @@
 //
 // Point i of N: u = (i + 1/2) / N, azimuth = frac(i g), g the golden ratio's inverse. In a lobe cos^n the ray at u has
 // cos(theta) = u^(1/(n+1)). u is a midpoint rule and must not be shifted; the azimuth is periodic, so a rotation per
-// pixel costs no accuracy and decorrelates neighbours. Any N. Every function is pure in (pixel, index).
+// pixel costs no accuracy and decorrelates neighbours. Any N. Every function is pure in (pixel, index). Frames that are
+// rotations of one another (Settings::rotation) also move u within its share: their mean is the integral.
 //
 // Rotations come in four classes, one of each in every block of 2x2 pixels, in an order that a hash picks: the eye
 // averages four lattices at once, and pixels of a class, whose rays run side by side, share packets.
@@ -52,6 +53,13 @@ ZERKALO_INLINE B hash_bits(B key) {
     return key ^ (key >> 16);
 }
 
+/// Rotation 0 is the lattice as it is; the others are independent of it and of each other.
+ZERKALO_INLINE Sampling sampling_of(Estimator estimator, std::uint32_t rotation) {
+    if (rotation == 0) return {estimator, 0, kShareSteps / 2};
+    const auto step = static_cast<std::int32_t>(hash_bits(~rotation) >> 23);  // of kShareSteps, 2^9
+    return {estimator, hash_bits(rotation), step | 1};
+}
+
 constexpr int kLatticeClasses = 4;
 
 /// The two bits of the class of each pixel of an 8x8 tile; bit p of a mask is pixel p, row-major.
@@ -80,13 +88,13 @@ constexpr int class_of_pixel(const LatticeClasses& classes, int pixel) {
     return static_cast<int>(classes.low >> pixel & 1) | static_cast<int>(classes.high >> pixel & 1) << 1;
 }
 
-/// By how much of a turn a class is rotated, for the given camera sample and mirror bounce.
-ZERKALO_INLINE std::uint32_t phase_of_class(int lattice_class, std::uint32_t camera_sample, std::uint32_t bounce) {
-    const std::uint32_t base = hash_bits(camera_sample * 256u + bounce + 1u);
+/// By how much of a turn a class is rotated, for the given camera sample of a frame.
+ZERKALO_INLINE std::uint32_t phase_of_class(const Sampling& sampling, int lattice_class, std::uint32_t camera_sample) {
+    const std::uint32_t base = hash_bits(camera_sample * 256u + 1u) + sampling.turn;
     return base + (static_cast<std::uint32_t>(lattice_class) << 30);
 }
-ZERKALO_INLINE float turn_of_class(int lattice_class, std::uint32_t camera_sample, std::uint32_t bounce) {
-    return turn_of_phase<float>(phase_of_class(lattice_class, camera_sample, bounce));
+ZERKALO_INLINE float turn_of_class(const Sampling& sampling, int lattice_class, std::uint32_t camera_sample) {
+    return turn_of_phase<float>(phase_of_class(sampling, lattice_class, camera_sample));
 }
 
 /// A fraction strictly between 0 and 1 of 23 bits: (k + 1/2) / 2^23.
@@ -100,13 +108,19 @@ ZERKALO_INLINE Fraction<R> fraction_of_bits(Bits<R> bits) {
     }
 }
 
-/// (s + 1/2) / n and 1 / n, for all lanes.
+/// Where a point lies in its share of the lobe's energy: 1/2 in rotation 0.
+ZERKALO_INLINE float place_in_share(const Sampling& sampling) {
+    return float(sampling.place) * (1.0f / float(kShareSteps));
+}
+
+/// (s + place) / n and 1 / n, for all lanes.
 template <class R>
-ZERKALO_INLINE Fraction<R> midpoint(std::int32_t s, std::int32_t n) {
+ZERKALO_INLINE Fraction<R> share_point(const Sampling& sampling, std::int32_t s, std::int32_t n) {
     if constexpr (Formats<R>::kFixed) {
-        return Fraction<Uniform<R>>::from_raw(rounded_quotient<std::int64_t, 40>(2 * s + 1, n) << 19);
+        const std::int32_t steps = s * kShareSteps + sampling.place;
+        return Fraction<Uniform<R>>::from_raw(rounded_quotient<std::int64_t, 32>(steps, n) << 19);
     } else {
-        return R((float(s) + 0.5f) / float(n));
+        return R((float(s) + place_in_share(sampling)) / float(n));
     }
 }
 template <class R>
@@ -147,12 +161,13 @@ ZERKALO_INLINE auto lobe_point(Fixed<A, F> u, P turn, Fixed<B, FS> inverse_expon
     return LobePoint<N>{as<D>(radius * azimuth.cosine), as<D>(radius * azimuth.sine), D(1) - as<D>(from_axis)};
 }
 
-/// Lattice points index, index + 1, ... of `count`, one a lane.
+/// Lattice points index, index + 1, ... of `count`, one a lane, before their class turns them.
 template <class R>
-ZERKALO_INLINE LobePoint<R> lattice_point(Bits<R> index, std::int32_t count, R inverse_exponent) {
+ZERKALO_INLINE LobePoint<R> lattice_point(const Sampling& sampling, Bits<R> index, std::int32_t count,
+                                          R inverse_exponent) {
     // Exact for index < 2^23: the low bits of a float in [2^23, 2^24).
     const R i = from_bits(index | Bits<R>(0x4b000000u)) - R(8388608.0f);
-    const R u = (i + R(0.5f)) / R(float(count));
+    const R u = (i + R(place_in_share(sampling))) / R(float(count));
     return lobe_point(u, turn_of_phase<R>(index * Bits<R>(kGoldenTurn)), inverse_exponent);
 }
 

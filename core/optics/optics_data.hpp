@@ -4,6 +4,7 @@
 
 #include "core/geometry/vec.hpp"
 #include "core/numeric/formats.hpp"
+#include "core/optics/estimator.hpp"
 
 #include <cstdint>
 

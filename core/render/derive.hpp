@@ -71,7 +71,7 @@ MirrorFrame frame_of(const Mirror& mirror);
 Ball ball_of(const Mirror& mirror);
 void hull_of(const Mirror& mirror, Hull& hull);
 template <class F>
-void derive_mirror(const Mirror& mirror, const Rgb<double>& ambient, const Settings& settings, const Constants<F>& to,
+void derive_mirror(const Mirror& mirror, const Rgb<double>& ambient, const PlanHead& plan, const Constants<F>& to,
                    MirrorPlanOf<F>& out);
 
 template <class F>

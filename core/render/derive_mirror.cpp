@@ -17,14 +17,14 @@ double distance_from_axis(double u, double exponent) {
 }
 
 template <class F>
-LobeDataOf<F> lobe_of(const Mirror& mirror, std::int32_t samples, const Constants<F>& to) {
+LobeDataOf<F> lobe_of(const Mirror& mirror, const PlanHead& plan, const Constants<F>& to) {
     LobeDataOf<F> lobe{};
     const double n = mirror.lobe_exponent;
     lobe.glossy = n < kInfinity;
     lobe.max_phong = mirror.lobe == Lobe::max_phong;
     if (!lobe.glossy) return lobe;
     lobe.inverse_exponent = to.share(1 / (n + 1));
-    const double widest = 0.5 / samples;
+    const double widest = double(plan.sampling.place) / kShareSteps / plan.samples;
     // Room for the rounding of lattice and frame: both far below 2^-18.
     constexpr double kRoom = 0x1p-18;
     const auto cone = [&](double u) {
@@ -126,7 +126,7 @@ void hull_of(const Mirror& mirror, Hull& hull) {
 }
 
 template <class F>
-void derive_mirror(const Mirror& mirror, const Rgb<double>& ambient, const Settings& settings, const Constants<F>& to,
+void derive_mirror(const Mirror& mirror, const Rgb<double>& ambient, const PlanHead& plan, const Constants<F>& to,
                    MirrorPlanOf<F>& out) {
     out = MirrorPlanOf<F>{};
     const MirrorFrame frame = frame_of(mirror);
@@ -136,7 +136,7 @@ void derive_mirror(const Mirror& mirror, const Rgb<double>& ambient, const Setti
     out.shape.kappa = to.curvature(1 / mirror.curvature_radius);
     out.shape.boundary = boundary_of(mirror.boundary, to);
     out.curved = out.shape.kappa != typename F::Curvature(0);
-    out.lobe = lobe_of(mirror, settings.samples, to);
+    out.lobe = lobe_of(mirror, plan, to);
 
     const bool shines = mirror.shininess != kShininessOfLobe || mirror.lobe_exponent < kInfinity;
     Material m;
@@ -148,16 +148,16 @@ void derive_mirror(const Mirror& mirror, const Rgb<double>& ambient, const Setti
     out.back = out.front;
     out.back.specular = to.weight(Rgb<double>{0, 0, 0});
     out.reflectance = to.weight(scaled(mirror.color, mirror.reflection));
-    out.reflects = settings.depth_limit > 0 && mirror.reflection > 0;
+    out.reflects = plan.depth_limit > 0 && mirror.reflection > 0;
 }
 
 template SurfaceData derive_surface(const Material&, const Rgb<double>&, const Constants<FloatFormats>&);
 template SurfaceDataOf<FixedFormats> derive_surface(const Material&, const Rgb<double>&, const Constants<FixedFormats>&);
 template LightData derive_light(const Light&, const Constants<FloatFormats>&);
 template LightDataOf<FixedFormats> derive_light(const Light&, const Constants<FixedFormats>&);
-template void derive_mirror(const Mirror&, const Rgb<double>&, const Settings&, const Constants<FloatFormats>&,
+template void derive_mirror(const Mirror&, const Rgb<double>&, const PlanHead&, const Constants<FloatFormats>&,
                             MirrorPlan&);
-template void derive_mirror(const Mirror&, const Rgb<double>&, const Settings&, const Constants<FixedFormats>&,
+template void derive_mirror(const Mirror&, const Rgb<double>&, const PlanHead&, const Constants<FixedFormats>&,
                             MirrorPlanOf<FixedFormats>&);
 
 }  // namespace zerkalo

@@ -50,7 +50,7 @@ ZERKALO_INLINE bool next_packet(const PlanFor<R>& plan, PathStack<R>& stack, con
     const std::int32_t s = top.sample++;
     if (top.sample == plan.samples) --stack.count;
     const auto turn = Phase<R>(phase_of<Uniform<R>>(static_cast<std::uint32_t>(s) * kGoldenTurn)) + key.turn;
-    const auto point = lobe_point(midpoint<R>(s, plan.samples), turn, ray.inverse_exponent);
+    const auto point = lobe_point(share_point<R>(plan.sampling, s, plan.samples), turn, ray.inverse_exponent);
     const LobeRay<R> lobe = lobe_ray<R>(point, ray.d, ray.n, ray.max_phong);
     PathPacket<R> next = ray;
     next.active = mask_of<R>(false);
@@ -93,7 +93,8 @@ ZERKALO_INLINE PathKey<R> path_key(const PlanFor<R>& plan, const Rect& tile, int
     const LatticeClasses classes = lattice_classes(tile_hash(plan, tile));
     for (int lane = 0; lane < kWidth<R>; ++lane) {
         const int x = (first + lane) % kTileSide, y = (first + lane) / kTileSide;
-        turns[lane] = phase_of<Uniform<R>>(phase_of_class(class_of_pixel(classes, first + lane), camera_sample, 0));
+        turns[lane] = phase_of<Uniform<R>>(
+            phase_of_class(plan.sampling, class_of_pixel(classes, first + lane), camera_sample));
         pixels[lane] = static_cast<std::uint32_t>(tile.top + y) * static_cast<std::uint32_t>(plan.width) +
                        static_cast<std::uint32_t>(tile.left + x);
     }

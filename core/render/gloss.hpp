@@ -180,9 +180,9 @@ ZERKALO_ONCE void flush(GlossQueues& queues, const LatticeClasses& classes, cons
     GroupFrames<R> frames;
     GroupAim<R> aim;
     for (std::int32_t first = 0; first < plan.samples; first += kChunk) {
-        if (first > 0) fill_chunk<R>(later, mirror.lobe, first, plan.samples);
+        if (first > 0) fill_chunk<R>(later, plan.sampling, mirror.lobe, first, plan.samples);
         const LatticeChunk& chunk = first > 0 ? later : mirror.lattice;
-        SineCosine<float> phase = sincos_turn(turn_of_class(0, sample, 0));
+        SineCosine<float> phase = sincos_turn(turn_of_class(plan.sampling, 0, sample));
         for (int c = 0; c < kLatticeClasses; ++c, phase = quarter_turned(phase)) {
             GlossQueue& queue = queues.of_class[c];
             for (std::int32_t at = 0; at < queue.count; at += kGroupPackets<R> * kWidth<R>) {

@@ -184,6 +184,7 @@ struct PlanHead {
     Vec3<double> origin;  // of all places in the plan: 0, but for a scene that lies far from there
     std::int32_t width, height;
     std::int32_t samples, antialias, depth_limit;
+    Sampling sampling;
     std::uint32_t features;
     std::uint8_t exact_plan;
     std::int32_t solid_count, mirror_count, light_count;

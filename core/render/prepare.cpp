@@ -27,6 +27,8 @@ Status check(const Settings& settings, const ImageSize& size) {
     if (settings.depth_limit < 0 || settings.depth_limit > kMaxDepth) {
         return complain("depth_limit", "must lie in 0..255");
     }
+    if (static_cast<int>(settings.estimator) >= kEstimatorCount) return complain("estimator", "is none of the list");
+    if (settings.rotation < 0) return complain("rotation", "must lie in 0..2147483647");
     return kOk;
 }
 
@@ -103,8 +105,7 @@ void derive_shared(const PlanOf<F>& plan, const Vec3<typename F::Length>& point,
 }
 
 template <class F>
-void derive_objects(const Scene& scene, const Settings& settings, const Surroundings& around, const Constants<F>& to,
-                    PlanOf<F>& plan) {
+void derive_objects(const Scene& scene, const Surroundings& around, const Constants<F>& to, PlanOf<F>& plan) {
     std::int32_t slabs = 0, triangles = 0;
     for (std::int32_t k = 0; k < scene.solid_count; ++k) {
         derive_solid(scene, k, to, slabs, triangles, plan);
@@ -115,7 +116,7 @@ void derive_objects(const Scene& scene, const Settings& settings, const Surround
         solid.bound_radius = to.length(around.solids[k].radius * (1 + 0x1p-16) + 0x1p-18 * size);
     }
     for (std::int32_t m = 0; m < scene.mirror_count; ++m) {
-        derive_mirror(scene.mirrors[m], scene.ambient, settings, to, plan.mirrors[m]);
+        derive_mirror(scene.mirrors[m], scene.ambient, plan, to, plan.mirrors[m]);
     }
     for (std::int32_t j = 0; j < scene.light_count; ++j) {
         plan.lights[j].data = derive_light(scene.lights[j], to);
@@ -175,7 +176,7 @@ void derive_one_bounce(const Scene& scene, const Settings& settings, const Viewp
     }
     for (std::int32_t m = 0; m < plan.mirror_count; ++m) {
         MirrorPlan& mirror = plan.mirrors[m];
-        if (mirror.lobe.glossy) fill_chunk<float>(mirror.lattice, mirror.lobe, 0, settings.samples);
+        if (mirror.lobe.glossy) fill_chunk<float>(mirror.lattice, plan.sampling, mirror.lobe, 0, settings.samples);
     }
     if (plan.mirror_count > 0) derive_tile_corners(plan);
     derive_image_bounds(scene, eye, plan);
@@ -187,6 +188,7 @@ void derive_one_bounce(const Scene& scene, const Settings& settings, const Viewp
 void derive_head(const Scene& scene, const Settings& settings, const ImageSize& size, PlanHead& plan) {
     plan.width = size.width, plan.height = size.height;
     plan.samples = settings.samples, plan.antialias = settings.antialias, plan.depth_limit = settings.depth_limit;
+    plan.sampling = sampling_of(settings.estimator, static_cast<std::uint32_t>(settings.rotation));
     plan.features = 0;
     plan.exact_plan = settings.exact_plan;
     plan.solid_count = scene.solid_count, plan.mirror_count = scene.mirror_count, plan.light_count = scene.light_count;
@@ -195,11 +197,11 @@ void derive_head(const Scene& scene, const Settings& settings, const ImageSize& 
 
 /// Everything that both kinds of plan have. `to` is chosen for a scene that fits.
 template <class F>
-Status derive_plan(const Scene& scene, const Settings& settings, const Surroundings& around, const Viewpoint& eye,
-                   const Constants<F>& to, PlanOf<F>& plan) {
+Status derive_plan(const Scene& scene, const Surroundings& around, const Viewpoint& eye, const Constants<F>& to,
+                   PlanOf<F>& plan) {
     const Rgb<double> white{1, 1, 1};
     plan.background = derive_surface(Material{.color = white, .ambient = 1}, scene.background, to).ambient;
-    derive_objects(scene, settings, around, to, plan);
+    derive_objects(scene, around, to, plan);
     derive_camera(eye, around, to, plan);
     derive_standing(scene, to, plan);
     derive_bounds(scene, eye, plan);
@@ -243,7 +245,7 @@ Status prepare(const Scene& scene, const Settings& settings, Plan& plan) {
     Viewpoint eye;
     if (const Status status = begin(scene, settings, plan, around, eye); !status.ok()) return status;
     const Constants<FloatFormats> to(plan.origin);
-    const Status status = derive_plan(scene, settings, around, eye, to, plan);
+    const Status status = derive_plan(scene, around, eye, to, plan);
     if (status.ok()) derive_one_bounce(scene, settings, eye, to, plan);
     return status;
 }
@@ -257,7 +259,7 @@ Status prepare(const Scene& scene, const Settings& settings, FixedPlan& plan) {
     const Point start = eye.position + eye.view * pull_of(eye, around);
     if (const Status status = fit(scene, around, plan.origin, start, to); !status.ok()) return status;
     plan.exposure = to.exposure();
-    return derive_plan(scene, settings, around, eye, to, plan);
+    return derive_plan(scene, around, eye, to, plan);
 }
 
 }  // namespace zerkalo

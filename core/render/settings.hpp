@@ -1,6 +1,8 @@
 // How to render, as opposed to what: the knobs of `zerkalo render`.
 #pragma once
 
+#include "core/optics/estimator.hpp"
+
 #include <cstdint>
 
 namespace zerkalo {
@@ -9,6 +11,7 @@ constexpr std::int32_t kMaxImageSide = 65536;
 constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;
 constexpr std::int32_t kMaxSamples = 1 << 20;
 constexpr std::int32_t kMaxAntialias = 4096;
+constexpr std::int32_t kMaxRotation = 0x7fffffff;
 constexpr std::int32_t kMaxDepth = 255;
 constexpr std::int32_t kMaxBranchDepth = 16;  // where a surface both reflects and transmits: the rays double each time
 
@@ -17,6 +20,8 @@ struct Settings {
     std::int32_t samples = 16;           // lobe rays at the first glossy hit of a camera path, 1..kMaxSamples
     std::int32_t antialias = 1;          // camera rays a pixel, box filter; 1 is the pixel's centre
     std::int32_t depth_limit = 6;        // a ray deeper than this is not traced and adds nothing, 0..kMaxDepth
+    std::int32_t rotation = 0;           // one of the equally good placements of the lobe rays: independent frames
+    Estimator estimator = Estimator::fibonacci;  // the rule that places them
     bool exact_plan = false;             // no culling at all: every solid is asked by every ray
 };
 

@@ -196,9 +196,10 @@ ZERKALO_INLINE LobeRay<R> lobe_ray(const LobePoint<R>& point, Vec3<Direction<R>>
 
 /// A single random ray of a lobe, for unpolished mirrors behind the first: uniform in energy, from the path's key.
 template <class R>
-ZERKALO_INLINE LobePoint<R> random_lobe_point(const LobeFor<R>& lobe, const PathKey<R>& key, const PathPacket<R>& ray) {
+ZERKALO_INLINE LobePoint<R> random_lobe_point(const Sampling& sampling, const LobeFor<R>& lobe, const PathKey<R>& key,
+                                              const PathPacket<R>& ray) {
     const std::uint32_t place =
-        hash_bits(key.camera_sample) ^
+        sampling.turn ^ hash_bits(key.camera_sample) ^
         hash_bits(static_cast<std::uint32_t>(ray.sample) + 0x10000000u * static_cast<std::uint32_t>(ray.depth));
     const Bits<R> one = hash_bits(key.pixel ^ Bits<R>(place));
     const Bits<R> two = hash_bits(one + Bits<R>(kGoldenTurn));
@@ -231,7 +232,7 @@ ZERKALO_INLINE void continue_at_mirror(const PlanFor<R>& plan, const PathPacket<
         counts.reflected += count_of(front);
         go_on<R>(next.one, front, p, d, throughput, spot);
     } else if (ray.after_lobe) {
-        const LobeRay<R> one = lobe_ray<R>(random_lobe_point<R>(lobe, key, ray), d, n, max_phong);
+        const LobeRay<R> one = lobe_ray<R>(random_lobe_point<R>(plan.sampling, lobe, key, ray), d, n, max_phong);
         go_on_in_lobe<R>(plan, one, max_phong, front, p, throughput, spot.id, next.one, sum, counts);
     } else {
         go_on<R>(next.job, front, p, d, as<W>(scaled(throughput, one_part_of<R>(plan.samples))), spot);

@@ -67,7 +67,7 @@ class Usage(CommandLineTest):
     def test_a_wrong_choice_lists_what_is_allowed(self):
         self.refuse_render("--isa", "avx3", says=["'avx3'", "scalar, sse2, sse4.2, avx2, avx512, neon"])
         self.refuse_render("--number", "double", says=["'double'", "float, fixed"])
-        self.refuse_render("--estimator", "sobol", says=["'sobol'", "fibonacci"])
+        self.refuse_render("--estimator", "halton", says=["'halton'", "fibonacci"])
         self.refuse_render("--depth", "12", says=["'12'", "8, 16"])
         self.refuse("show", self.scene, "--display", "window", says=["'window'", "fb, fb:/dev/fbN, terminal, png:FILE"])
 

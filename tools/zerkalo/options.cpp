@@ -80,12 +80,26 @@ void add_size_option(CLI::App& command, Settings& settings) {
         ->type_name("WxH");
 }
 
+void add_estimator_option(CLI::App& command, Estimator& estimator) {
+    const std::vector<std::string_view> names(std::begin(kEstimatorNames), std::end(kEstimatorNames));
+    const auto take = [&estimator, names](const std::string& text) {
+        estimator = static_cast<Estimator>(std::find(names.begin(), names.end(), text) - names.begin());
+    };
+    command
+        .add_option_function<std::string>("--estimator", take, "How lobe rays are placed: " + scene_file::listed(names))
+        ->check(one_of(names))
+        ->type_name("NAME");
+}
+
 void add_quality_options(CLI::App& command, Settings& settings) {
     add_whole_option(command, "--samples", settings.samples, 1, kMaxSamples,
                      "Lobe rays per hit of an unpolished mirror");
     add_whole_option(command, "--antialias", settings.antialias, 1, kMaxAntialias, "Camera rays per pixel");
     add_whole_option(command, "--depth-limit", settings.depth_limit, 0, kMaxDepth,
                      "Reflections and refractions that a ray may have behind it");
+    add_estimator_option(command, settings.estimator);
+    add_whole_option(command, "--rotation", settings.rotation, 0, kMaxRotation,
+                     "Which of the equally good placements of the lobe rays");
     command.add_flag("--exact-plan", settings.exact_plan, "No culling: every ray asks every solid");
 }
 

@@ -25,7 +25,7 @@ struct RenderOptions {
     std::optional<Isa> isa;
     int threads = 1;
     int repeat = 1;
-    std::string estimator = "fibonacci", number = "float";
+    std::string number = "float";
     bool json = false;
 };
 
@@ -63,7 +63,7 @@ std::string json_report(const RenderOptions& options, const Frame& frame, const 
     json.text("isa", name_of(frame.isa)).integer("lanes", frame.lanes).text("number", options.number);
     json.integer("threads", frame.threads).integer("samples", options.settings.samples);
     json.integer("antialias", options.settings.antialias).integer("depth_limit", options.settings.depth_limit);
-    json.text("estimator", options.estimator).flag("exact_plan", options.settings.exact_plan);
+    json.text("estimator", name_of(options.settings.estimator)).flag("exact_plan", options.settings.exact_plan);
     json.object("rays", rays_json(cost.rays)).list("features", features_of(frame.head()));
     json.text("hash", format("%016llx", static_cast<unsigned long long>(hash_of(frame.image))));
     return json.integer("peak_bytes", peak_memory()).text("output", options.output).str() + "\n";
@@ -117,9 +117,6 @@ void add_render_command(CLI::App& app, Action& action) {
         ->type_name("BITS");
     add_size_option(*command, options->settings);
     add_quality_options(*command, options->settings);
-    command->add_option("--estimator", options->estimator, "How lobe rays are placed: fibonacci")
-        ->check(one_of({"fibonacci"}))
-        ->type_name("NAME");
     command->add_option("--number", options->number, "Number type of the kernels: float or fixed")
         ->check(one_of({"float", "fixed"}))
         ->type_name("NAME");

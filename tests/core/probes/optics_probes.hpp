@@ -67,7 +67,7 @@ void probe_lattice(std::int32_t points, float inverse_exponent, const probes::Po
     std::uint32_t index[probes::kWidest];
     for (int k = 0; k < count; k += kWidth<R>) {
         for (int lane = 0; lane < kWidth<R>; ++lane) index[lane] = static_cast<std::uint32_t>(k + lane);
-        const LobePoint<R> p = lattice_point<R>(load_bits<R>(index), points, R(inverse_exponent));
+        const LobePoint<R> p = lattice_point<R>(sampling_of(Estimator::fibonacci, 0), load_bits<R>(index), points, R(inverse_exponent));
         store_point<R>(out, k, {p.side, p.up, p.forward});
     }
 }
