@@ -1,4 +1,4 @@
-// The numbers of the plan as plain data: float, or fixed-point formats. Outside of the instruction sets' namespaces, so
+// The numbers of the plan as plain data: float, double, or fixed-point formats. Outside of the instruction sets' namespaces, so
 // that all kernels read one plan; the arithmetic is theirs (number.hpp, fixed.hpp).
 #pragma once
 
@@ -101,29 +101,34 @@ private:
     }
 };
 
-/// Every constant of a plan is a float.
-struct FloatFormats {
+/// Every constant of a plan is a T: float or double.
+template <class T>
+struct FloatingFormats {
     static constexpr bool kFixed = false;
-    using Length = float;
-    using Direction = float;
-    using Area = float;
-    using Curvature = float;
-    using Inverse = float;
-    using Ratio = float;
-    using Index = float;
-    using Weight = float;
-    using Radiance = float;
-    using Exponent = float;
-    using Share = float;
-    using View = float;
-    using FarStep = float;
-    using Edge = float;
-    using PixelBound = float;
+    static constexpr double kLeastShare = std::numeric_limits<T>::epsilon() / 2;  // of full brightness, worth adding
+    using Length = T;
+    using Direction = T;
+    using Area = T;
+    using Curvature = T;
+    using Inverse = T;
+    using Ratio = T;
+    using Index = T;
+    using Weight = T;
+    using Radiance = T;
+    using Exponent = T;
+    using Share = T;
+    using View = T;
+    using FarStep = T;
+    using Edge = T;
+    using PixelBound = T;
 };
+using FloatFormats = FloatingFormats<float>;
+using DoubleFormats = FloatingFormats<double>;
 
 /// Fixed point, one number: which format a quantity has.
 struct FixedFormats {
     static constexpr bool kFixed = true;
+    static constexpr double kLeastShare = 0x1p-24;  // as of float
     using Length = Fixed<std::int32_t, 27>;     // -16..16, step 7.5e-9
     using Direction = Fixed<std::int32_t, 30>;  // -2..2, step 9.3e-10
     using Area = Fixed<std::int64_t, 54>;       // -512..512: a length times a length

@@ -1,8 +1,8 @@
 // Number systems: which type holds a length, a direction, an area. Formulas are written once over a system N.
 //
-// In a float system all of them are the same lane type and the conversions below do nothing. In a fixed-point system
+// In a floating-point system all of them are the same lane type and the conversions below do nothing. In a fixed-point system
 // they are formats (Q4.27, Q1.30, 64-bit products), a product changes the format, and `as<To>` is where it is rounded.
-// The kernels' templates call their system R: lanes of float, or a FixedNumbers<W>.
+// The kernels' templates call their system R: lanes of float, double, or a FixedNumbers<W>.
 #pragma once
 
 #include "core/numeric/formats.hpp"
@@ -10,13 +10,19 @@
 
 #include <concepts>
 #include <limits>
+#include <type_traits>
 
 namespace zerkalo::inline ZERKALO_ISA {
 
-/// Floats of one width. `Uniform` is the system of values that all lanes share, `Formats` that of the plan's constants.
+/// What all lanes of R share: a double for double, else a float.
+template <class R>
+using UniformReal = std::conditional_t<std::same_as<R, double>, double, float>;
+
+/// Lanes of float, or double. `Uniform` is the system of values that all lanes share, `Formats` that of the plan's
+/// constants.
 template <class R>
 struct FloatNumbers {
-    using Formats = FloatFormats;
+    using Formats = FloatingFormats<UniformReal<R>>;
     using Length = R;
     using Direction = R;
     using Area = R;
@@ -38,28 +44,28 @@ struct FloatNumbers {
     using View = R;
     using FarStep = R;
     using Mask = zerkalo::Mask<R>;
-    using Uniform = FloatNumbers<float>;
+    using Uniform = FloatNumbers<UniformReal<R>>;
 };
 
 template <class R>
 struct LaneTraits<FloatNumbers<R>> : LaneTraits<R> {};
 
-/// The system that a type stands for: lanes of float are a system in which every quantity is such a lane, a number of a
-/// fixed-point format belongs to the system of its width, and a system is its own.
+/// The system that a type stands for: lanes of float are a system in which every quantity is such a lane, so is double,
+/// a number of a fixed-point format belongs to the system of its width, and a system is its own.
 template <class N>
 struct SystemOf { using type = N; };
-template <>
-struct SystemOf<float> { using type = FloatNumbers<float>; };
+template <std::floating_point T>
+struct SystemOf<T> { using type = FloatNumbers<T>; };
 template <int W>
 struct SystemOf<Lanes<W>> { using type = FloatNumbers<Lanes<W>>; };
 template <class N>
 using System = typename SystemOf<N>::type;
 
-/// What names a system in the templates of the kernels: lanes of float themselves, or a fixed-point system.
+/// What names a system in the templates of the kernels: lanes of float or double themselves, or a fixed-point system.
 template <class T>
 struct NumbersOf { using type = System<T>; };
-template <>
-struct NumbersOf<float> { using type = float; };
+template <std::floating_point T>
+struct NumbersOf<T> { using type = T; };
 template <int W>
 struct NumbersOf<Lanes<W>> { using type = Lanes<W>; };
 template <class T>
@@ -162,10 +168,10 @@ ZERKALO_INLINE MaskOf<N> mask_of(bool answer) {
 /// Number k of a solid, a mirror or a face.
 template <class N>
 ZERKALO_INLINE Index<N> index_of(int k) {
-    if constexpr (std::same_as<Formats<N>, FloatFormats>) {
-        return Index<N>(float(k));
-    } else {
+    if constexpr (Formats<N>::kFixed) {
         return Index<N>(k);
+    } else {
+        return Index<N>(float(k));
     }
 }
 

@@ -1,4 +1,5 @@
-// One lane of float, width 1 of lane.hpp: a real width, and what all widths share.
+// One lane of float, width 1 of lane.hpp: a real width, and what all widths share. One lane of double, which has no
+// wider form.
 //
 // The serial renderer that one steps through in a debugger is the SIMD renderer at width 1. It names no vector library,
 // so that the fixed-point kernel can be built for processors without vector and float units (ZERKALO_INTEGERS_ONLY).
@@ -19,6 +20,13 @@ template <class R>
 struct LaneTraits;
 template <>
 struct LaneTraits<float> {
+    using Mask = bool;
+    using Bits = std::uint32_t;
+    static constexpr int kWidth = 1;
+};
+/// `Bits` are those of phases and hashes, 32 as in every other lane; to_bits() of a double gives 64.
+template <>
+struct LaneTraits<double> {
     using Mask = bool;
     using Bits = std::uint32_t;
     static constexpr int kWidth = 1;
@@ -50,6 +58,13 @@ ZERKALO_INLINE float max(float a, float b) { return a > b ? a : b; }
 ZERKALO_INLINE std::uint32_t to_bits(float a) { return std::bit_cast<std::uint32_t>(a); }
 ZERKALO_INLINE float from_bits(std::uint32_t a) { return std::bit_cast<float>(a); }
 
+ZERKALO_INLINE double select(bool m, double a, double b) { return m ? a : b; }
+ZERKALO_INLINE double sqrt(double a) { return __builtin_sqrt(a); }
+ZERKALO_INLINE double min(double a, double b) { return a < b ? a : b; }
+ZERKALO_INLINE double max(double a, double b) { return a > b ? a : b; }
+ZERKALO_INLINE std::uint64_t to_bits(double a) { return std::bit_cast<std::uint64_t>(a); }
+ZERKALO_INLINE double from_bits(std::uint64_t a) { return std::bit_cast<double>(a); }
+
 /// Unaligned: `source` holds kWidth<R> floats.
 template <class R>
 ZERKALO_INLINE R load(const float* source) {
@@ -60,6 +75,9 @@ ZERKALO_INLINE R load(const float* source) {
     }
 }
 ZERKALO_INLINE void store(float* target, float a) { *target = a; }
+template <class R>
+ZERKALO_INLINE R load(const double* source) { return *source; }
+ZERKALO_INLINE void store(double* target, double a) { *target = a; }
 template <class R>
 ZERKALO_INLINE Bits<R> load_bits(const std::uint32_t* source) {
     if constexpr (kWidth<R> == 1) {
@@ -83,6 +101,11 @@ template <class R>
 ZERKALO_INLINE R absolute(R a) {
     return from_bits(to_bits(a) & Bits<R>(0x7fffffffu));
 }
+
+constexpr std::uint64_t kSignOfDouble = std::uint64_t{1} << 63;
+ZERKALO_INLINE double flip_sign(double a, double sign) { return from_bits(to_bits(a) ^ (to_bits(sign) & kSignOfDouble)); }
+ZERKALO_INLINE std::uint64_t opposite_sign(double a) { return (to_bits(a) & kSignOfDouble) ^ kSignOfDouble; }
+ZERKALO_INLINE double absolute(double a) { return from_bits(to_bits(a) & ~kSignOfDouble); }
 
 ZERKALO_INLINE float first_lane(float a) { return a; }
 /// Number of lanes set in the mask.

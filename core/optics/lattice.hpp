@@ -11,6 +11,7 @@
 #pragma once
 
 #include "core/numeric/elementary.hpp"
+#include "core/numeric/double_elementary.hpp"
 #include "core/numeric/fixed_elementary.hpp"
 #include "core/optics/optics_data.hpp"
 
@@ -21,8 +22,12 @@ constexpr std::uint32_t kGoldenTurn = 0x9e3779b9u;  // 2^32 / golden ratio: a tu
 /// A turn as a fraction -1/2..1/2 of itself, from a phase that wraps at 2^32.
 template <class R>
 ZERKALO_INLINE R turn_of_phase(Bits<R> phase) {
-    // 23 bits become a float in [1, 2).
-    return from_bits((phase >> 9) | Bits<R>(0x3f800000u)) - R(1.5f);
+    if constexpr (std::same_as<R, double>) {
+        return double(phase) * 0x1p-32 - 0.5;
+    } else {
+        // 23 bits become a float in [1, 2).
+        return from_bits((phase >> 9) | Bits<R>(0x3f800000u)) - R(1.5f);
+    }
 }
 
 /// The same as a phase of the system R: in fixed point the phase itself, half a turn on, as the float's is.
@@ -103,6 +108,8 @@ ZERKALO_INLINE Fraction<R> fraction_of_bits(Bits<R> bits) {
     if constexpr (Formats<R>::kFixed) {
         return with_fraction<60>(each_lane(
             [](std::uint32_t b) { return static_cast<std::int64_t>((std::uint64_t{b >> 9} * 2 + 1) << 36); }, bits));
+    } else if constexpr (std::same_as<R, double>) {
+        return (double(bits >> 9) + 0.5) * 0x1p-23;
     } else {
         return turn_of_phase<R>(bits) + R(0.5f + 0x1p-24f);
     }
@@ -120,7 +127,8 @@ ZERKALO_INLINE Fraction<R> share_point(const Sampling& sampling, std::int32_t s,
         const std::int32_t steps = s * kShareSteps + sampling.place;
         return Fraction<Uniform<R>>::from_raw(rounded_quotient<std::int64_t, 32>(steps, n) << 19);
     } else {
-        return R((float(s) + place_in_share(sampling)) / float(n));
+        using U = UniformReal<R>;
+        return R((U(s) + U(place_in_share(sampling))) / U(n));
     }
 }
 template <class R>

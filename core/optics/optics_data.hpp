@@ -20,7 +20,7 @@ struct LightDataOf {
     Vec3<typename F::Length> position;
     Rgb<typename F::Radiance> power;       // color * intensity: E without the falloff
     typename F::Inverse falloff_limit;     // 1/d^2 beyond which E would be brighter than any sum can hold
-    typename F::Exponent highlight_limit;  // n x beyond which (1-x)^n E cannot change a picture by 2^-24
+    typename F::Exponent highlight_limit;  // n x beyond which (1-x)^n E is below F::kLeastShare
     std::uint8_t inverse_square;
     std::uint8_t distant;  // so far away that shadow rays must start at the surface
 };

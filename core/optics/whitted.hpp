@@ -11,6 +11,7 @@
 
 #include "core/geometry/unit.hpp"
 #include "core/numeric/elementary.hpp"
+#include "core/numeric/double_elementary.hpp"
 #include "core/numeric/fixed_elementary.hpp"
 #include "core/optics/directions.hpp"
 #include "core/optics/optics_data.hpp"

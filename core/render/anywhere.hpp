@@ -102,11 +102,11 @@ ZERKALO_INLINE Departure<R> departure_of_camera(const CameraPlanOf<F>& camera, V
 }
 
 /// Meets a sphere so close to the camera that b^2 - c is the better discriminant for its rays. False of all others, and
-/// in fixed point, where c has digits enough.
+/// in fixed point and double, where c has digits enough.
 template <class R>
 ZERKALO_INLINE bool met_close_by(AnyHit<R>& best, const PlanFor<R>& plan, int k, Vec3<Direction<R>> d,
                                  const Departure<R>& from, Mask<R> active, Length<R> t_min) {
-    if constexpr (!Formats<R>::kFixed) {
+    if constexpr (std::same_as<Formats<R>, FloatFormats>) {
         const SolidPlanFor<R>& solid = plan.solids[k];
         if (solid.shape != ShapeKind::sphere || !(plan.camera_origin.solids[k].c < solid.sphere.radius2)) return false;
         const auto seen = sphere_origin<R>(solid, k, plan.camera_origin);

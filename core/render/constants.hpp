@@ -9,57 +9,57 @@ namespace zerkalo {
 
 /// The system of one lane in which a plan with the formats F is derived.
 template <class F>
-struct SetUpNumbers { using type = FloatNumbers<float>; };
+struct SetUpNumbers { using type = FloatNumbers<typename F::Length>; };
 template <>
 struct SetUpNumbers<FixedFormats> { using type = FixedNumbers<1>; };
 
 template <class F>
 class Constants;
 
-/// To float: lengths as they are, colours held at kBrightest. `origin`: what places count from.
-template <>
-class Constants<FloatFormats> {
+/// To float or double: lengths as they are, colours held at kBrightest. `origin`: what places count from.
+template <class T>
+class Constants<FloatingFormats<T>> {
 public:
     Constants() = default;
     explicit Constants(const Point& origin) : origin_(origin) {}
 
-    static Vec3<float> rounded(const Point& p) { return zerkalo::rounded(p); }
+    static Vec3<T> rounded(const Point& p) { return {T(p.x), T(p.y), T(p.z)}; }
 
     /// A place of the world, counted from the plan's origin.
     Point seen(const Point& p) const { return p - origin_; }
-    float length(double x) const { return float(x); }
-    Vec3<float> point(const Point& p) const { return rounded(seen(p)); }
-    Vec3<float> way(const Point& p) const { return rounded(p); }
-    Vec3<float> direction(const Point& p) const { return rounded(p); }
-    float share(double x) const { return float(x); }
-    float area(double x) const { return float(x); }
-    float inverse(double x) const { return held(x); }
-    float curvature(double x) const { return float(x); }
-    float ratio(double x) const { return float(x); }
-    float weight(double x) const { return float(x); }
-    float exponent(double x) const { return held(x); }
-    Rgb<float> weight(const Rgb<double>& c) const { return {bright(c.r), bright(c.g), bright(c.b)}; }
-    Rgb<float> radiance(const Rgb<double>& c) const { return weight(c); }
-    Rgb<float> power(const Rgb<double>& c, bool) const { return weight(c); }
-    HalfPlane half_plane(double nx, double ny, double c) const { return {float(nx), float(ny), float(c)}; }
+    T length(double x) const { return T(x); }
+    Vec3<T> point(const Point& p) const { return rounded(seen(p)); }
+    Vec3<T> way(const Point& p) const { return rounded(p); }
+    Vec3<T> direction(const Point& p) const { return rounded(p); }
+    T share(double x) const { return T(x); }
+    T area(double x) const { return T(x); }
+    T inverse(double x) const { return held(x); }
+    T curvature(double x) const { return T(x); }
+    T ratio(double x) const { return T(x); }
+    T weight(double x) const { return T(x); }
+    T exponent(double x) const { return held(x); }
+    Rgb<T> weight(const Rgb<double>& c) const { return {bright(c.r), bright(c.g), bright(c.b)}; }
+    Rgb<T> radiance(const Rgb<double>& c) const { return weight(c); }
+    Rgb<T> power(const Rgb<double>& c, bool) const { return weight(c); }
+    HalfPlaneOf<FloatingFormats<T>> half_plane(double nx, double ny, double c) const { return {T(nx), T(ny), T(c)}; }
     /// What the directions of camera rays are multiplied with.
     double view_scale(double) const { return 1; }
-    Vec3<float> view(const Point& p) const { return rounded(p); }
-    Vec3<float> far_step(const Point& p) const { return rounded(p); }
-    float pull(double x) const { return float(x); }
+    Vec3<T> view(const Point& p) const { return rounded(p); }
+    Vec3<T> far_step(const Point& p) const { return rounded(p); }
+    T pull(double x) const { return T(x); }
 
-    double length_of(float x) const { return x; }
+    double length_of(T x) const { return x; }
     double unscaled(double x) const { return x; }
-    Point point_of(const Vec3<float>& p) const { return Point{p.x, p.y, p.z} + origin_; }
-    Point direction_of(const Vec3<float>& p) const { return {p.x, p.y, p.z}; }
-    double number_of(float x) const { return x; }
+    Point point_of(const Vec3<T>& p) const { return Point{p.x, p.y, p.z} + origin_; }
+    Point direction_of(const Vec3<T>& p) const { return {p.x, p.y, p.z}; }
+    double number_of(T x) const { return x; }
 
 private:
-    static float held(double x) {
-        constexpr double kLargestFloat = 0x1.fffffep+127;
-        return float(x < kLargestFloat ? x : kLargestFloat);
+    static T held(double x) {
+        constexpr double kLargest = std::numeric_limits<T>::max();
+        return T(x < kLargest ? x : kLargest);
     }
-    static float bright(double x) { return x < kBrightest ? float(x) : kBrightest; }
+    static T bright(double x) { return x < kBrightest ? T(x) : kBrightest; }
 
     Point origin_{0, 0, 0};
 };

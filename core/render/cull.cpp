@@ -196,8 +196,10 @@ void derive_blockers(const Scene& scene, const Surroundings& around, PlanOf<F>& 
 }
 
 template void derive_bounds(const Scene&, const Viewpoint&, Plan&);
+template void derive_bounds(const Scene&, const Viewpoint&, DoublePlan&);
 template void derive_bounds(const Scene&, const Viewpoint&, FixedPlan&);
 template void derive_blockers(const Scene&, const Surroundings&, Plan&);
+template void derive_blockers(const Scene&, const Surroundings&, DoublePlan&);
 template void derive_blockers(const Scene&, const Surroundings&, FixedPlan&);
 
 }  // namespace zerkalo

@@ -90,8 +90,8 @@ LightDataOf<F> derive_light(const Light& light, const Constants<F>& to) {
     const Rgb<float> rounded = Constants<FloatFormats>{}.weight(power);
     const double brightest = larger(rounded.r, larger(rounded.g, rounded.b));
     out.falloff_limit = to.inverse(brightest > 0 ? double{kBrightest} / brightest : kInfinity);
-    // (1 - x)^n <= e^(-n x): beyond this n x the highlight is below 2^-24 of full brightness.
-    out.highlight_limit = to.exponent(out.inverse_square ? kInfinity : natural_log(larger(1, brightest) * 0x1p24));
+    // (1 - x)^n <= e^(-n x): beyond this n x the highlight is below the least share of full brightness.
+    out.highlight_limit = to.exponent(out.inverse_square ? kInfinity : natural_log(larger(1, brightest) / F::kLeastShare));
     return out;
 }
 
@@ -152,11 +152,16 @@ void derive_mirror(const Mirror& mirror, const Rgb<double>& ambient, const PlanH
 }
 
 template SurfaceData derive_surface(const Material&, const Rgb<double>&, const Constants<FloatFormats>&);
+template SurfaceDataOf<DoubleFormats> derive_surface(const Material&, const Rgb<double>&,
+                                                     const Constants<DoubleFormats>&);
 template SurfaceDataOf<FixedFormats> derive_surface(const Material&, const Rgb<double>&, const Constants<FixedFormats>&);
 template LightData derive_light(const Light&, const Constants<FloatFormats>&);
+template LightDataOf<DoubleFormats> derive_light(const Light&, const Constants<DoubleFormats>&);
 template LightDataOf<FixedFormats> derive_light(const Light&, const Constants<FixedFormats>&);
 template void derive_mirror(const Mirror&, const Rgb<double>&, const PlanHead&, const Constants<FloatFormats>&,
                             MirrorPlan&);
+template void derive_mirror(const Mirror&, const Rgb<double>&, const PlanHead&, const Constants<DoubleFormats>&,
+                            MirrorPlanOf<DoubleFormats>&);
 template void derive_mirror(const Mirror&, const Rgb<double>&, const PlanHead&, const Constants<FixedFormats>&,
                             MirrorPlanOf<FixedFormats>&);
 

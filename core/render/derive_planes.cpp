@@ -69,6 +69,7 @@ void derive_planes(const Scene& scene, PlanOf<F>& plan) {
 }
 
 template void derive_planes(const Scene&, Plan&);
+template void derive_planes(const Scene&, DoublePlan&);
 template void derive_planes(const Scene&, FixedPlan&);
 
 }  // namespace zerkalo

@@ -244,6 +244,8 @@ void derive_solid(const Scene& scene, std::int32_t k, const Constants<F>& to, st
 
 template void derive_solid(const Scene&, std::int32_t, const Constants<FloatFormats>&, std::int32_t&, std::int32_t&,
                            Plan&);
+template void derive_solid(const Scene&, std::int32_t, const Constants<DoubleFormats>&, std::int32_t&, std::int32_t&,
+                           DoublePlan&);
 template void derive_solid(const Scene&, std::int32_t, const Constants<FixedFormats>&, std::int32_t&, std::int32_t&,
                            FixedPlan&);
 

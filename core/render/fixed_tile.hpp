@@ -14,7 +14,7 @@ struct FixedColours {
 };
 
 template <class R>
-struct TileColoursOf { using type = TileColours; };
+struct TileColoursOf { using type = FloatingColours<UniformReal<R>>; };
 template <int W>
 struct TileColoursOf<FixedNumbers<W>> { using type = FixedColours; };
 template <class R>
@@ -84,13 +84,6 @@ ZERKALO_INLINE void fill_tile(const FixedPlan& plan, const Rect& tile, const Lin
     FixedColours colours;
     for (std::int32_t pixel = 0; pixel < kTilePixels; ++pixel) put(colours, pixel, light, false);
     write_tile<R>(plan, colours, tile, image);
-}
-
-template <class R>
-ZERKALO_INLINE TileView view_of_tile(const FixedPlan& plan, const Rect& tile) {
-    TileView view{};
-    view.seen = seen_by_tile<R>(plan, tile);
-    return view;
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

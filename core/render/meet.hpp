@@ -125,7 +125,7 @@ ZERKALO_INLINE Mask<R> may_meet(const SolidPlanFor<R>& solid, Vec3<Length<R>> o,
 /// n, turned against d. At exactly 0 either side is right.
 template <class R>
 ZERKALO_INLINE Vec3<R> turned_against(Vec3<R> n, Vec3<R> d) {
-    const Bits<R> flip = opposite_sign(dot(n, d));
+    const auto flip = opposite_sign(dot(n, d));
     return {from_bits(to_bits(n.x) ^ flip), from_bits(to_bits(n.y) ^ flip), from_bits(to_bits(n.z) ^ flip)};
 }
 template <class A, int F>

@@ -96,7 +96,7 @@ ZERKALO_INLINE SubPixelOf<Pixels<N>> sub_pixel(std::int32_t a, std::int32_t n) {
         const std::int32_t x = rounded_quotient<std::int32_t, P::kFraction - 1>(2 * a + 1 - n, n);
         return {P::from_raw(x), P::from_raw(rescaled<std::int32_t, 32 - P::kFraction>(shifted))};
     } else {
-        return {(float(a) + 0.5f) / float(n) - 0.5f, turn_of_phase<float>(phase)};
+        return {(P(a) + P(0.5f)) / P(n) - P(0.5f), turn_of_phase<P>(phase)};
     }
 }
 

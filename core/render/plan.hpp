@@ -1,5 +1,6 @@
 // What the kernels read: every constant of one frame, derived by prepare(). Trivially copyable, fixed capacity.
-// F: the formats of its numbers. `Plan` is the one of the float kernels, `FixedPlan` that of the fixed-point kernel.
+// F: the formats of its numbers. `Plan` is the one of the float kernels, `FixedPlan` that of the fixed-point kernel,
+// `DoublePlan` that of the kernel in double.
 #pragma once
 
 #include "core/image/image_view.hpp"
@@ -153,7 +154,7 @@ struct PixelBounds {
     std::int32_t left, top, right, bottom;
 };
 
-/// The same for several objects, one a lane. T: float, which holds them exactly, or integers.
+/// The same for several objects, one a lane. T: float or double, which hold them exactly, or integers.
 template <int count, class T = float>
 struct PixelBoundsTable {
     static_assert(count % kWidestLane == 0);
@@ -207,5 +208,6 @@ struct PlanOf : PlanHead, OneBouncePlan<F> {
 };
 using Plan = PlanOf<FloatFormats>;
 using FixedPlan = PlanOf<FixedFormats>;
+using DoublePlan = PlanOf<DoubleFormats>;
 
 }  // namespace zerkalo

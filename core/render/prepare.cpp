@@ -195,7 +195,7 @@ void derive_head(const Scene& scene, const Settings& settings, const ImageSize& 
     plan.exposure = 0;
 }
 
-/// Everything that both kinds of plan have. `to` is chosen for a scene that fits.
+/// Everything that all kinds of plan have. `to` is chosen for a scene that fits.
 template <class F>
 Status derive_plan(const Scene& scene, const Surroundings& around, const Viewpoint& eye, const Constants<F>& to,
                    PlanOf<F>& plan) {
@@ -226,7 +226,7 @@ Status check(const Scene& scene, const Settings& settings, ImageSize& size) {
     return check(settings, size);
 }
 
-/// What both kinds of plan begin with: the checks, the head, and where everything is.
+/// What all kinds of plan begin with: the checks, the head, and where everything is.
 Status begin(const Scene& scene, const Settings& settings, PlanHead& plan, Surroundings& around, Viewpoint& eye) {
     ImageSize size;
     if (const Status status = check(scene, settings, size); !status.ok()) return status;
@@ -248,6 +248,14 @@ Status prepare(const Scene& scene, const Settings& settings, Plan& plan) {
     const Status status = derive_plan(scene, around, eye, to, plan);
     if (status.ok()) derive_one_bounce(scene, settings, eye, to, plan);
     return status;
+}
+
+Status prepare(const Scene& scene, const Settings& settings, DoublePlan& plan) {
+    const IeeeMode ieee;
+    Surroundings around;
+    Viewpoint eye;
+    if (const Status status = begin(scene, settings, plan, around, eye); !status.ok()) return status;
+    return derive_plan(scene, around, eye, Constants<DoubleFormats>(plan.origin), plan);
 }
 
 Status prepare(const Scene& scene, const Settings& settings, FixedPlan& plan) {

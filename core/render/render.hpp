@@ -39,6 +39,8 @@ struct RayCounts {
 using TileFunction = void (*)(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts);
 using FixedTileFunction = void (*)(const FixedPlan& plan, const Rect& tile, const LinearImage& image,
                                    RayCounts& counts);
+using DoubleTileFunction = void (*)(const DoublePlan& plan, const Rect& tile, const LinearImage& image,
+                                    RayCounts& counts);
 
 /// Checks scene and settings and derives every constant of the frame. On error `plan` is left unspecified.
 Status prepare(const Scene& scene, const Settings& settings, Plan& plan);
@@ -46,9 +48,13 @@ Status prepare(const Scene& scene, const Settings& settings, Plan& plan);
 /// The same for the fixed-point kernel. Also refuses what the formats cannot hold, with the field and the reason.
 Status prepare(const Scene& scene, const Settings& settings, FixedPlan& plan);
 
+/// The same in double, for references: the samples of float to the last of its bits, rounded to float as pixels alone.
+Status prepare(const Scene& scene, const Settings& settings, DoublePlan& plan);
+
 /// The smallest kernel that covers what the plan needs. Precondition: available(isa).
 TileFunction kernel_for(const Plan& plan, Isa isa);
 FixedTileFunction kernel_for(const FixedPlan& plan, Isa isa);
+DoubleTileFunction kernel_for(const DoublePlan& plan, Isa isa);
 
 /// Tiles of the picture, row-major; the last column and row may be smaller.
 int tile_count(const PlanHead& plan);

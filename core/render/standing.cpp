@@ -98,8 +98,10 @@ void derive_close_spheres(const Scene& scene, Plan& plan) {
 }
 
 template bool near_or_inside(const Plan&, const Constants<FloatFormats>&, const Point&);
+template bool near_or_inside(const DoublePlan&, const Constants<DoubleFormats>&, const Point&);
 template bool near_or_inside(const FixedPlan&, const Constants<FixedFormats>&, const Point&);
 template void derive_standing(const Scene&, const Constants<FloatFormats>&, Plan&);
+template void derive_standing(const Scene&, const Constants<DoubleFormats>&, DoublePlan&);
 template void derive_standing(const Scene&, const Constants<FixedFormats>&, FixedPlan&);
 
 }  // namespace zerkalo

@@ -17,7 +17,7 @@ struct TileView {
 
 /// Bit k: the bounds of object k share a pixel with the tile.
 template <class R, int n>
-ZERKALO_INLINE CandidateMask overlapping(const PixelBoundsTable<n>& bounds, std::int32_t count, const Rect& tile) {
+ZERKALO_INLINE CandidateMask overlapping(const PixelBoundsTable<n, UniformReal<R>>& bounds, std::int32_t count, const Rect& tile) {
     const R left = R(float(tile.left)), right = R(float(tile.left + tile.width));
     const R top = R(float(tile.top)), bottom = R(float(tile.top + tile.height));
     CandidateMask mask = 0;
@@ -65,13 +65,23 @@ ZERKALO_INLINE TileView view_of_tile(const Plan& plan, const Rect& tile) {
     return view;
 }
 
-/// Linear colours of a tile's pixels, row-major over the full tile side; padded for whole packets.
-struct TileColours {
-    alignas(64) float r[kTilePixels], g[kTilePixels], b[kTilePixels];
-};
+/// What camera rays can see, without what only the kernels for at most one bounce ask.
+template <class R, class F>
+ZERKALO_INLINE TileView view_of_tile(const PlanOf<F>& plan, const Rect& tile) {
+    TileView view{};
+    view.seen = seen_by_tile<R>(plan, tile);
+    return view;
+}
 
-template <class R>
-ZERKALO_INLINE void put(TileColours& colours, int first, Rgb<R> c, bool add) {
+/// Linear colours of a tile's pixels, row-major over the full tile side; padded for whole packets. T: float or double.
+template <class T>
+struct FloatingColours {
+    alignas(64) T r[kTilePixels], g[kTilePixels], b[kTilePixels];
+};
+using TileColours = FloatingColours<float>;
+
+template <class R, class T>
+ZERKALO_INLINE void put(FloatingColours<T>& colours, int first, Rgb<R> c, bool add) {
     if (add) {
         c.r = c.r + load<R>(colours.r + first);
         c.g = c.g + load<R>(colours.g + first);
@@ -83,8 +93,8 @@ ZERKALO_INLINE void put(TileColours& colours, int first, Rgb<R> c, bool add) {
 }
 
 /// Divides the sums by the number of camera samples.
-template <class R>
-ZERKALO_INLINE void average(TileColours& colours, std::int32_t antialias) {
+template <class R, class T>
+ZERKALO_INLINE void average(FloatingColours<T>& colours, std::int32_t antialias) {
     const R count = R(float(antialias));
     for (std::int32_t i = 0; i < kTilePixels; i += kWidth<R>) {
         store(colours.r + i, load<R>(colours.r + i) / count);
@@ -93,24 +103,24 @@ ZERKALO_INLINE void average(TileColours& colours, std::int32_t antialias) {
     }
 }
 
-/// Writes one row of a whole tile.
-template <class R>
-ZERKALO_INLINE void write_whole_row(const TileColours& colours, int first, float* out) {
+/// Writes one row of a whole tile; a double is rounded to float here.
+template <class R, class T>
+ZERKALO_INLINE void write_whole_row(const FloatingColours<T>& colours, int first, float* out) {
     constexpr int kRun = kWidth<R> < kTileSide ? kWidth<R> : kTileSide;
     for (int x = 0; x < kTileSide; x += kRun) {
         if constexpr (kRun > 1) {
             store_triples<kRun>(out + 3 * x, colours.r + first + x, colours.g + first + x, colours.b + first + x);
         } else {
-            out[3 * x] = colours.r[first + x];
-            out[3 * x + 1] = colours.g[first + x];
-            out[3 * x + 2] = colours.b[first + x];
+            out[3 * x] = float(colours.r[first + x]);
+            out[3 * x + 1] = float(colours.g[first + x]);
+            out[3 * x + 2] = float(colours.b[first + x]);
         }
     }
 }
 
 /// Writes the tile's part of the picture from rows that lie `step` apart.
-template <class R>
-ZERKALO_INLINE void write_rows(const TileColours& colours, int step, const Rect& tile, const LinearImage& image) {
+template <class R, class T>
+ZERKALO_INLINE void write_rows(const FloatingColours<T>& colours, int step, const Rect& tile, const LinearImage& image) {
     float* out = image.row(tile.top) + 3 * tile.left;
     const std::int32_t height = tile.height;
     if (tile.width == kTileSide) {
@@ -126,21 +136,22 @@ ZERKALO_INLINE void write_rows(const TileColours& colours, int step, const Rect&
     }
 }
 
-template <class R>
-ZERKALO_INLINE void write_tile(const Plan&, const TileColours& colours, const Rect& tile, const LinearImage& image) {
+template <class R, class T>
+ZERKALO_INLINE void write_tile(const PlanOf<FloatingFormats<T>>&, const FloatingColours<T>& colours, const Rect& tile,
+                               const LinearImage& image) {
     write_rows<R>(colours, kTileSide, tile, image);
 }
 
 /// A tile that sees nothing: the background, summed and divided as the samples of rendered pixels are.
-template <class R>
-ZERKALO_INLINE void fill_tile(const Plan& plan, const Rect& tile, const LinearImage& image) {
-    Rgb<float> c = plan.background;
+template <class R, class T>
+ZERKALO_INLINE void fill_tile(const PlanOf<FloatingFormats<T>>& plan, const Rect& tile, const LinearImage& image) {
+    Rgb<T> c = plan.background;
     for (std::int32_t a = 1; a < plan.antialias; ++a) c = c + plan.background;
     if (plan.antialias > 1) {
-        const float count = float(plan.antialias);
+        const T count = T(plan.antialias);
         c = {c.r / count, c.g / count, c.b / count};
     }
-    TileColours colours;
+    FloatingColours<T> colours;
     for (int first = 0; first < kTileSide; first += kWidth<R>) put(colours, first, spread<R>(c), false);
     write_rows<R>(colours, 0, tile, image);
 }

@@ -24,10 +24,21 @@ bool is_light(float value, float background) {
     return value >= -kRounding * background && value <= std::numeric_limits<float>::max();
 }
 
+// "" when every value is light.
+std::string darkness(const laws::Image& image, const Rgb<float>& behind, const char* picture) {
+    const float background = std::max({behind.r, behind.g, behind.b});
+    const auto bad = std::find_if_not(image.rgb.begin(), image.rgb.end(),
+                                      [background](float value) { return is_light(value, background); });
+    if (bad == image.rgb.end()) return "";
+    return "accepted, and value " + std::to_string(bad - image.rgb.begin()) + " of " + picture + " is " +
+           std::to_string(*bad);
+}
+
 }  // namespace
 
 Judge::Judge(Thoroughness thoroughness)
-    : thoroughness_(thoroughness), isas_(laws::available_isas()), plan_(std::make_unique<Plan>()) {
+    : thoroughness_(thoroughness), isas_(laws::available_isas()), plan_(std::make_unique<Plan>()),
+      double_plan_(std::make_unique<DoublePlan>()) {
     std::erase(isas_, Isa::scalar);
 }
 
@@ -37,7 +48,8 @@ std::string Judge::verdict(const Scene& scene, std::span<const Field> changed) {
     if (status.ok() != gate.ok()) return "prepare() and validate() disagree: " + described(gate.ok() ? status : gate);
     if (status.ok()) {
         ++accepted_;
-        return picture_fault();
+        const std::string fault = picture_fault();
+        return fault.empty() ? fault_in_double(scene) : fault;
     }
     ++refused_;
     if (std::string_view(status.field) != gate.field) return "prepare() names " + described(status);
@@ -45,16 +57,15 @@ std::string Judge::verdict(const Scene& scene, std::span<const Field> changed) {
     return named ? "" : "refused for another field: " + described(status);
 }
 
+std::string Judge::fault_in_double(const Scene& scene) {
+    const Status status = prepare(scene, kSettings, *double_plan_);
+    if (!status.ok()) return "float accepts and double refuses: " + described(status);
+    return darkness(laws::render(*double_plan_), plan_->background, "the picture in double");
+}
+
 std::string Judge::picture_fault() {
     const laws::Image serial = laws::render(*plan_, Isa::scalar);
-    const Rgb<float>& behind = plan_->background;
-    const float background = std::max({behind.r, behind.g, behind.b});
-    const auto bad = std::find_if_not(serial.rgb.begin(), serial.rgb.end(),
-                                      [background](float value) { return is_light(value, background); });
-    if (bad != serial.rgb.end()) {
-        return "accepted, and value " + std::to_string(bad - serial.rgb.begin()) + " of the picture is " +
-               std::to_string(*bad);
-    }
+    if (const std::string dark = darkness(serial, plan_->background, "the picture"); !dark.empty()) return dark;
     const bool all = thoroughness_ == Thoroughness::every_isa;
     for (std::size_t i = 0; i < (all ? isas_.size() : std::min<std::size_t>(1, isas_.size())); ++i) {
         const Isa isa = isas_[all ? i : turn_++ % isas_.size()];

@@ -26,11 +26,13 @@ public:
 
 private:
     std::string picture_fault();
+    std::string fault_in_double(const Scene& scene);
 
     Thoroughness thoroughness_;
     std::vector<Isa> isas_;
     std::size_t turn_ = 0;
     std::unique_ptr<Plan> plan_;
+    std::unique_ptr<DoublePlan> double_plan_;
     std::int64_t accepted_ = 0, refused_ = 0;
 };
 

@@ -95,6 +95,23 @@ class Render(CommandLineTest):
         self.assertGreaterEqual(len(hashes), 6)
         self.assertEqual(len(set(hashes.values())), 1, hashes)
 
+    def test_double_gives_the_float_picture_by_one_lane_under_every_isa(self):
+        floats = [value for row in self.pfm("--isa", "scalar")[2] for pixel in row for value in pixel]
+        hashes = set()
+        for isa in self.json("doctor")["isas"]:
+            for threads in ("1", "3"):
+                if isa["available"]:
+                    report = self.json("render", self.scene, "-o", self.path("d.pfm"), "--number", "double",
+                                       "--isa", isa["name"], "--threads", threads)
+                    self.assertEqual((report["number"], report["lanes"], report["isa"]), ("double", 1, isa["name"]))
+                    hashes.add(report["hash"])
+        self.assertEqual(len(hashes), 1, hashes)
+        doubles = [value for row in read_pfm((self.files / "d.pfm").read_bytes())[2] for pixel in row for value in pixel]
+        apart = sorted(abs(a - b) for a, b in zip(floats, doubles, strict=True))
+        self.assertGreater(apart[-1], 0, "nothing of float's rounding is left in the picture")
+        # One pixel in a thousand may see another surface.
+        self.assertLess(apart[len(apart) * 999 // 1000 - 1], 1e-4)
+
     def test_the_isa_without_a_choice_is_the_one_that_doctor_names(self):
         report = self.json("render", self.scene, "-o", self.path("a.png"))
         self.assertEqual(report["isa"], self.json("doctor")["isa"])

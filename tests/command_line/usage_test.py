@@ -66,13 +66,14 @@ class Usage(CommandLineTest):
 
     def test_a_wrong_choice_lists_what_is_allowed(self):
         self.refuse_render("--isa", "avx3", says=["'avx3'", "scalar, sse2, sse4.2, avx2, avx512, neon"])
-        self.refuse_render("--number", "double", says=["'double'", "float, fixed"])
+        self.refuse_render("--number", "half", says=["'half'", "float, fixed, double"])
         self.refuse_render("--estimator", "halton", says=["'halton'", "fibonacci"])
         self.refuse_render("--depth", "12", says=["'12'", "8, 16"])
         self.refuse("show", self.scene, "--display", "window", says=["'window'", "fb, fb:/dev/fbN, terminal, png:FILE"])
 
     def test_the_values_that_exist_are_accepted(self):
         self.succeed("render", self.scene, "-o", self.path("a.png"), "--number", "fixed")
+        self.succeed("render", self.scene, "-o", self.path("a.png"), "--number", "double")
         self.succeed("render", self.scene, "-o", self.path("a.png"), "--number", "float", "--estimator", "fibonacci",
                      "--depth", "8", "--isa", "scalar")
 

@@ -9,6 +9,28 @@
 #include <string>
 
 namespace zerkalo::laws {
+namespace {
+
+template <class AnyPlan>
+Image tiles_of(const AnyPlan& plan, Isa isa) {
+    Image image{plan.width, plan.height, {}, {}};
+    image.rgb.resize(std::size_t{3} * plan.width * plan.height);
+    const auto render_tile = kernel_for(plan, isa);
+    for (int i = 0; i < tile_count(plan); ++i) render_tile(plan, tile_at(plan, i), image.view(), image.rays);
+    return image;
+}
+
+template <class AnyPlan>
+Image rendered(const Scene& scene, const Settings& settings, Isa isa) {
+    const auto plan = std::make_unique<AnyPlan>();
+    const Status status = prepare(scene, settings, *plan);
+    if (!status.ok()) {
+        throw std::runtime_error(std::string(name_of(status.part)) + ": " + status.field + ": " + status.reason);
+    }
+    return tiles_of(*plan, isa);
+}
+
+}  // namespace
 
 LinearImage Image::view() const {
     // The view is only read: LinearImage has no const form.
@@ -29,29 +51,15 @@ void prepare_or_throw(const Scene& scene, const Settings& settings, Plan& plan) 
     }
 }
 
-Image render(const Plan& plan, Isa isa) {
-    Image image{plan.width, plan.height, {}, {}};
-    image.rgb.resize(std::size_t{3} * plan.width * plan.height);
-    const TileFunction render_tile = kernel_for(plan, isa);
-    for (int i = 0; i < tile_count(plan); ++i) render_tile(plan, tile_at(plan, i), image.view(), image.rays);
-    return image;
-}
+Image render(const Plan& plan, Isa isa) { return tiles_of(plan, isa); }
+Image render(const DoublePlan& plan) { return tiles_of(plan, Isa::scalar); }
 
+Image render(const Scene& scene, const Settings& settings, Isa isa) { return rendered<Plan>(scene, settings, isa); }
 Image render_fixed(const Scene& scene, const Settings& settings, Isa isa) {
-    const auto plan = std::make_unique<FixedPlan>();
-    const Status status = prepare(scene, settings, *plan);
-    if (!status.ok()) throw std::runtime_error(std::string(status.field) + ": " + status.reason);
-    Image image{plan->width, plan->height, {}, {}};
-    image.rgb.resize(std::size_t{3} * plan->width * plan->height);
-    const FixedTileFunction render_tile = kernel_for(*plan, isa);
-    for (int i = 0; i < tile_count(*plan); ++i) render_tile(*plan, tile_at(*plan, i), image.view(), image.rays);
-    return image;
+    return rendered<FixedPlan>(scene, settings, isa);
 }
-
-Image render(const Scene& scene, const Settings& settings, Isa isa) {
-    const auto plan = std::make_unique<Plan>();
-    prepare_or_throw(scene, settings, *plan);
-    return render(*plan, isa);
+Image render_double(const Scene& scene, const Settings& settings) {
+    return rendered<DoublePlan>(scene, settings, Isa::scalar);
 }
 
 std::vector<Isa> available_isas() {

@@ -24,9 +24,13 @@ Image render(const Scene& scene, const Settings& settings, Isa isa = best_isa())
 
 /// The same from a plan that is prepared already.
 Image render(const Plan& plan, Isa isa = best_isa());
+Image render(const DoublePlan& plan);
 
 /// The picture in fixed point. Throws std::runtime_error when prepare() refuses.
 Image render_fixed(const Scene& scene, const Settings& settings, Isa isa = best_isa());
+
+/// The picture in double, rounded to float pixel by pixel. Throws std::runtime_error when prepare() refuses.
+Image render_double(const Scene& scene, const Settings& settings);
 
 /// Throws std::runtime_error when prepare() refuses.
 void prepare_or_throw(const Scene& scene, const Settings& settings, Plan& plan);

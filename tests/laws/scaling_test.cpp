@@ -58,10 +58,11 @@ Scene rich_scene() {
 }
 
 void expect_same_bytes_at_every_size(const Scene& scene, const Settings& settings) {
-    const Image image = render(scene, settings);
+    const Image image = render(scene, settings), in_double = render_double(scene, settings);
     for (const int exponent : {-40, -23, -1, 1, 7, 40}) {
-        const Image other = render(larger(scene, std::ldexp(1, exponent)), settings);
-        EXPECT_EQ(pixels_apart(image, other), 0) << "2^" << exponent;
+        const Scene other = larger(scene, std::ldexp(1, exponent));
+        EXPECT_EQ(pixels_apart(image, render(other, settings)), 0) << "2^" << exponent;
+        EXPECT_EQ(pixels_apart(in_double, render_double(other, settings)), 0) << "in double, 2^" << exponent;
     }
 }
 

@@ -38,6 +38,9 @@ TEST(P21, TheMirroredSceneGivesTheFlippedPicture) {
         const Image other = render(other_way_round(scene), of_size(65, 48));
         EXPECT_EQ(pixels_apart(flipped(image), other), 0) << "curvature radius " << curvature_radius;
         EXPECT_GT(pixels_apart(image, other), 300) << "curvature radius " << curvature_radius;
+        const Image in_double = render_double(scene, of_size(65, 48));
+        EXPECT_EQ(pixels_apart(flipped(in_double), render_double(other_way_round(scene), of_size(65, 48))), 0)
+            << "in double, curvature radius " << curvature_radius;
     }
 }
 

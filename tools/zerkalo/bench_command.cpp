@@ -109,11 +109,11 @@ void add_frames(std::vector<Entry>& entries, Isa isa, const std::shared_ptr<cons
     }
 }
 
-// The fixed-point kernel is the same for every instruction set.
-void add_fixed_frames(std::vector<Entry>& entries, const std::shared_ptr<const Scene>& scene) {
+// The kernels in fixed point and in double are the same for every instruction set.
+void add_frames(std::vector<Entry>& entries, Number number, const std::shared_ptr<const Scene>& scene) {
     for (const int samples : {1, 16}) {
-        const std::string name = "frame/samples:" + std::to_string(samples) + "/fixed";
-        entries.push_back({name, Isa::scalar, scene, samples, total_of, Extent::frame, Number::fixed});
+        const std::string name = "frame/samples:" + std::to_string(samples) + "/" + name_of(number);
+        entries.push_back({name, Isa::scalar, scene, samples, total_of, Extent::frame, number});
     }
 }
 
@@ -127,7 +127,7 @@ std::vector<Entry> entries_for(const BenchOptions& options) {
         add_kernels(entries, isa);
         add_frames(entries, isa, scene);
     }
-    add_fixed_frames(entries, scene);
+    for (const Number number : {Number::fixed, Number::double_precision}) add_frames(entries, number, scene);
     return entries;
 }
 

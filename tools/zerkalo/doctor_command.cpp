@@ -94,6 +94,7 @@ std::string json_report() {
     report.text("isa", name_of(best_isa())).integer("lanes", lanes_of(best_isa())).list("isas", isas);
     report.integer("threads", hardware_threads());
     report.integer("plan_bytes", sizeof(Plan)).integer("fixed_plan_bytes", sizeof(FixedPlan));
+    report.integer("double_plan_bytes", sizeof(DoublePlan));
     report.integer("scene_bytes", sizeof(Scene));
     report.list("framebuffers", framebuffers).object("terminal", terminal);
     return report.str() + "\n";

@@ -52,31 +52,34 @@ Failure refusal(const Status& status) {
     return {ExitCode::usage, "--" + option + ": " + status.reason};
 }
 
+template <class AnyPlan>
+std::unique_ptr<AnyPlan> prepared(const Scene& scene, const Settings& settings) {
+    auto plan = std::make_unique<AnyPlan>();
+    if (const Status status = prepare(scene, settings, *plan); !status.ok()) throw refusal(status);
+    return plan;
+}
+
 }  // namespace
 
 Frame prepare_frame(const Scene& scene, const Settings& settings, Isa isa, int threads, Number number) {
     Frame frame;
-    Status status;
     if (number == Number::fixed) {
-        frame.fixed_plan = std::make_unique<FixedPlan>();
-        status = prepare(scene, settings, *frame.fixed_plan);
+        frame.fixed_plan = prepared<FixedPlan>(scene, settings);
+        frame.fixed_kernel = kernel_for(*frame.fixed_plan, isa);
+    } else if (number == Number::double_precision) {
+        frame.double_plan = prepared<DoublePlan>(scene, settings);
+        frame.double_kernel = kernel_for(*frame.double_plan, isa);
     } else {
-        frame.plan = std::make_unique<Plan>();
-        status = prepare(scene, settings, *frame.plan);
+        frame.plan = prepared<Plan>(scene, settings);
+        frame.kernel = kernel_for(*frame.plan, isa);
+        frame.lanes = lanes_of(isa);
     }
-    if (!status.ok()) throw refusal(status);
     const std::int32_t width = frame.head().width, height = frame.head().height;
     // Zeros touch every page now, so that no page fault is counted as rendering.
     frame.pixels =
         std::make_unique<float[]>(std::size_t{3} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     frame.image = {frame.pixels.get(), width, height, static_cast<std::ptrdiff_t>(3 * sizeof(float)) * width};
     frame.isa = isa;
-    if (frame.plan) {
-        frame.kernel = kernel_for(*frame.plan, isa);
-        frame.lanes = lanes_of(isa);
-    } else {
-        frame.fixed_kernel = kernel_for(*frame.fixed_plan, isa);
-    }
     frame.threads = threads;
     return frame;
 }

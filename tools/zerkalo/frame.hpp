@@ -10,30 +10,37 @@
 
 namespace zerkalo {
 
-/// What the kernels count with: float lanes, or fixed point.
-enum class Number { floating, fixed };
+/// What the kernels count with: float lanes, fixed point, or double; and the names on the command line.
+enum class Number { floating, fixed, double_precision };
+constexpr const char* kNumberNames[] = {"float", "fixed", "double"};
+constexpr const char* name_of(Number number) { return kNumberNames[static_cast<int>(number)]; }
 
 /// A prepared frame. `image` covers all of the plan's picture and is backed by `pixels`.
 struct Frame {
-    std::unique_ptr<Plan> plan;  // one of the two
+    std::unique_ptr<Plan> plan;  // one of the three
     std::unique_ptr<FixedPlan> fixed_plan;
+    std::unique_ptr<DoublePlan> double_plan;
     std::unique_ptr<float[]> pixels;
     LinearImage image;
     Isa isa = Isa::scalar;
     int lanes = 1;
     TileFunction kernel = nullptr;
     FixedTileFunction fixed_kernel = nullptr;
+    DoubleTileFunction double_kernel = nullptr;
     int threads = 1;
 
     const PlanHead& head() const {
         if (plan) return *plan;
-        return *fixed_plan;
+        if (fixed_plan) return *fixed_plan;
+        return *double_plan;
     }
     void render_tile(int tile, RayCounts& rays) const {
         if (plan) {
             kernel(*plan, tile_at(*plan, tile), image, rays);
-        } else {
+        } else if (fixed_plan) {
             fixed_kernel(*fixed_plan, tile_at(*fixed_plan, tile), image, rays);
+        } else {
+            double_kernel(*double_plan, tile_at(*double_plan, tile), image, rays);
         }
     }
 };

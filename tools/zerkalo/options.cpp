@@ -103,6 +103,18 @@ void add_quality_options(CLI::App& command, Settings& settings) {
     command.add_flag("--exact-plan", settings.exact_plan, "No culling: every ray asks every solid");
 }
 
+void add_number_option(CLI::App& command, Number& number) {
+    const std::vector<std::string_view> names(std::begin(kNumberNames), std::end(kNumberNames));
+    const auto take = [&number, names](const std::string& text) {
+        number = static_cast<Number>(std::find(names.begin(), names.end(), text) - names.begin());
+    };
+    command
+        .add_option_function<std::string>("--number", take,
+                                          "Number type of the kernels: " + scene_file::listed(names))
+        ->check(one_of(names))
+        ->type_name("NAME");
+}
+
 void add_isa_option(CLI::App& command, std::optional<Isa>& isa) {
     const auto names = isa_names();
     const auto take = [&isa, names](const std::string& text) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/render/render.hpp"
+#include "tools/zerkalo/frame.hpp"
 
 #include <CLI/CLI.hpp>
 #include <optional>
@@ -25,6 +26,9 @@ void add_size_option(CLI::App& command, Settings& settings);
 
 /// --samples, --antialias, --depth-limit and --exact-plan.
 void add_quality_options(CLI::App& command, Settings& settings);
+
+/// --number NAME
+void add_number_option(CLI::App& command, Number& number);
 
 /// --isa NAME. Whether this CPU has it is asked later: see chosen_isa().
 void add_isa_option(CLI::App& command, std::optional<Isa>& isa);

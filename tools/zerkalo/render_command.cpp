@@ -25,7 +25,7 @@ struct RenderOptions {
     std::optional<Isa> isa;
     int threads = 1;
     int repeat = 1;
-    std::string number = "float";
+    Number number = Number::floating;
     bool json = false;
 };
 
@@ -60,7 +60,7 @@ std::string json_report(const RenderOptions& options, const Frame& frame, const 
         const auto [min, max] = std::minmax_element(cost.seconds.begin(), cost.seconds.end());
         json.integer("repeat", options.repeat).number("seconds_min", *min).number("seconds_max", *max);
     }
-    json.text("isa", name_of(frame.isa)).integer("lanes", frame.lanes).text("number", options.number);
+    json.text("isa", name_of(frame.isa)).integer("lanes", frame.lanes).text("number", name_of(options.number));
     json.integer("threads", frame.threads).integer("samples", options.settings.samples);
     json.integer("antialias", options.settings.antialias).integer("depth_limit", options.settings.depth_limit);
     json.text("estimator", name_of(options.settings.estimator)).flag("exact_plan", options.settings.exact_plan);
@@ -95,8 +95,7 @@ ExitCode run_render(const RenderOptions& options) {
     WholeFile file;
     open_picture(file, options.output);
 
-    const Frame frame = prepare_frame(*input.scene, options.settings, isa, options.threads,
-                                      options.number == "fixed" ? Number::fixed : Number::floating);
+    const Frame frame = prepare_frame(*input.scene, options.settings, isa, options.threads, options.number);
     const FrameCost cost = render_frame(frame, options.repeat, progress_wanted());
     write_picture(file, frame.image, kind);
     if (options.output != "-") print_result((options.json ? json_report : text_report)(options, frame, cost));
@@ -117,9 +116,7 @@ void add_render_command(CLI::App& app, Action& action) {
         ->type_name("BITS");
     add_size_option(*command, options->settings);
     add_quality_options(*command, options->settings);
-    command->add_option("--number", options->number, "Number type of the kernels: float or fixed")
-        ->check(one_of({"float", "fixed"}))
-        ->type_name("NAME");
+    add_number_option(*command, options->number);
     add_isa_option(*command, options->isa);
     add_threads_option(*command, options->threads);
     command->add_option("--repeat", options->repeat, "Render so many times and report the median")

@@ -99,7 +99,7 @@ void print_plan(const AnyPlan& plan, const char* scene, const char* number) {
     for (int i = 0; i < kIsaCount; ++i) {
         const Isa isa = static_cast<Isa>(i);
         if (!available(isa)) continue;
-        // The fixed-point kernel is one for all instruction sets and has no stages here.
+        // The kernels in fixed point and double are one for all instruction sets and have no stages here.
         if constexpr (std::is_same_v<AnyPlan, Plan>) print_stages(plan, {scene, number, isa, kInTurn});
         print({scene, number, isa, kInTurn}, "radiance", radiance_hash(plan, isa, kInTurn));
     }
@@ -118,7 +118,8 @@ bool print_number_type(const NamedScene& named, const char* number) {
 }
 
 bool print_scene(const NamedScene& named) {
-    return print_number_type<Plan>(named, "float") && print_number_type<FixedPlan>(named, "fixed");
+    return print_number_type<Plan>(named, "float") && print_number_type<FixedPlan>(named, "fixed") &&
+           print_number_type<DoublePlan>(named, "double");
 }
 
 }  // namespace

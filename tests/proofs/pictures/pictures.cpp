@@ -15,11 +15,13 @@ namespace {
 constexpr std::int32_t kWidth = 45, kHeight = 32;
 
 Plan plan;
+DoublePlan double_plan;
 float pixels[kWidth * kHeight * 3];
 
-std::uint64_t hash_with(Isa isa) {
+template <class AnyPlan>
+std::uint64_t hash_with(const AnyPlan& plan, Isa isa) {
     const LinearImage image{pixels, kWidth, kHeight, kWidth * 3 * static_cast<std::ptrdiff_t>(sizeof(float))};
-    const TileFunction render_tile = kernel_for(plan, isa);
+    const auto render_tile = kernel_for(plan, isa);
     RayCounts counts;
     for (int i = 0; i < tile_count(plan); ++i) {
         render_tile(plan, tile_at(plan, i), image, counts);
@@ -35,8 +37,8 @@ char* append(char* end, const char* text) {
     return end;
 }
 
-void describe(Picture picture, Isa isa, std::uint64_t hash, char* line) {
-    char* end = append(append(append(append(line, name_of(picture)), " "), zerkalo::name_of(isa)), " ");
+void describe(Picture picture, const char* number, Isa isa, std::uint64_t hash, char* line) {
+    char* end = append(append(append(append(append(line, name_of(picture)), number), " "), zerkalo::name_of(isa)), " ");
     for (int shift = 60; shift >= 0; shift -= 4) {
         *end++ = "0123456789abcdef"[(hash >> shift) & 15u];
     }
@@ -57,24 +59,30 @@ bool render_all(void (*write)(const char* line)) {
     settings.samples = 5;
     bool same = true;
     for (int p = 0; p < kPictureCount; ++p) {
-        const Status status = prepare(kScenes[p], settings, plan);
+        Status status = prepare(kScenes[p], settings, plan);
+        if (status.ok()) {
+            status = prepare(kScenes[p], settings, double_plan);
+        }
         if (!status.ok()) {
             write(status.reason);
             write("\n");
             return false;
         }
-        const std::uint64_t serial = hash_with(Isa::scalar);
+        const std::uint64_t serial = hash_with(plan, Isa::scalar);
         for (int i = 0; i < kIsaCount; ++i) {
             const Isa isa = static_cast<Isa>(i);
             if (!available(isa)) {
                 continue;
             }
-            const std::uint64_t hash = hash_with(isa);
+            const std::uint64_t hash = hash_with(plan, isa);
             same = same && hash == serial;
             char line[64];
-            describe(static_cast<Picture>(p), isa, hash, line);
+            describe(static_cast<Picture>(p), "", isa, hash, line);
             write(line);
         }
+        char line[64];
+        describe(static_cast<Picture>(p), ".double", Isa::scalar, hash_with(double_plan, Isa::scalar), line);
+        write(line);
     }
     return same;
 }
