@@ -19,7 +19,8 @@ add_library(zerkalo_commands OBJECT
   zerkalo/compare_command.cpp
   zerkalo/show_command.cpp
   zerkalo/doctor_command.cpp
-  zerkalo/stability_command.cpp)
+  zerkalo/stability_command.cpp
+  zerkalo/study_command.cpp)
 target_include_directories(zerkalo_commands PUBLIC ${PROJECT_SOURCE_DIR})
 target_compile_definitions(zerkalo_commands PUBLIC ZERKALO_VERSION="${PROJECT_VERSION}")
 target_link_libraries(zerkalo_commands PUBLIC zerkalo_options zerkalo_scene_file zerkalo_stability zerkalo::core
@@ -29,7 +30,7 @@ target_include_directories(zerkalo_commands PRIVATE $<TARGET_PROPERTY:zerkalo_pl
 
 # zerkalo_program(NAME PLATFORM...): the program, with what stands for the platform library.
 function(zerkalo_program name)
-  add_executable(${name} zerkalo/main.cpp $<TARGET_OBJECTS:zerkalo_commands>)
+  add_executable(${name} zerkalo/main.cpp $<TARGET_OBJECTS:zerkalo_commands> $<TARGET_OBJECTS:zerkalo_study>)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_definitions(${name} PRIVATE ZERKALO_VERSION="${PROJECT_VERSION}")
   target_link_libraries(${name} PRIVATE zerkalo_options zerkalo_scene_file zerkalo_stability ${ARGN} zerkalo::core

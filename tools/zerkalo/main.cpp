@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kExitCodes =
     "Exit codes: 0 ok, 1 reading or writing failed, 2 wrong command line, 3 invalid scene,\n"
-    "4 pictures differ, 5 no suitable device or instruction set, 70 internal error.\n"
+    "4 pictures differ, 5 no suitable device or instruction set, 70 internal error, 130 interrupted.\n"
     "Results go to standard output, messages to standard error.";
 
 void add_commands(CLI::App& app, Action& action) {
@@ -20,6 +20,7 @@ void add_commands(CLI::App& app, Action& action) {
     add_show_command(app, action);
     add_doctor_command(app, action);
     add_stability_command(app, action);
+    add_study_command(app, action);
 #ifdef ZERKALO_BENCH
     add_bench_command(app, action);
 #endif

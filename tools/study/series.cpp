@@ -1,0 +1,74 @@
+#include "tools/study/series.hpp"
+
+#include <algorithm>
+
+namespace zerkalo::study {
+namespace {
+
+bool belongs(const Series& series, const Row& row) {
+    return series.scene == row.scene && series.number == row.number && series.estimator == row.estimator &&
+           series.antialias == row.antialias;
+}
+
+Estimate slope_of(const Series& series, Region region) {
+    std::vector<double> samples, errors;
+    for (const Row* row : series.rows) {
+        const double error = error_in(*row, region);
+        if (row->samples < kFirstFittedSamples || error <= row->of(region).zone || error <= 0) continue;
+        samples.push_back(static_cast<double>(row->samples));
+        errors.push_back(error);
+    }
+    return log_log_slope(samples, errors);
+}
+
+}  // namespace
+
+std::vector<Series> series_of(const std::vector<Row>& rows) {
+    std::vector<Series> all;
+    for (const Row& row : rows) {
+        auto place = std::find_if(all.begin(), all.end(), [&](const Series& s) { return belongs(s, row); });
+        if (place == all.end()) {
+            all.push_back({row.scene, row.number, row.estimator, row.antialias, {}, {}});
+            place = all.end() - 1;
+        }
+        place->rows.push_back(&row);
+    }
+    for (Series& series : all) {
+        std::stable_sort(series.rows.begin(), series.rows.end(),
+                         [](const Row* a, const Row* b) { return a->samples < b->samples; });
+        for (int r = 0; r < kRegionCount; ++r) {
+            series.slopes[static_cast<std::size_t>(r)] = slope_of(series, static_cast<Region>(r));
+        }
+    }
+    return all;
+}
+
+const Series& series_with(const std::vector<Series>& all, const Row& row) {
+    return *std::find_if(all.begin(), all.end(), [&](const Series& series) { return belongs(series, row); });
+}
+
+std::vector<const Row*> pareto_front(const std::vector<const Row*>& rows, Region region) {
+    std::vector<const Row*> by_time;
+    for (const Row* row : rows) {
+        if (error_in(*row, region) > row->of(region).zone) by_time.push_back(row);
+    }
+    std::stable_sort(by_time.begin(), by_time.end(),
+                     [](const Row* a, const Row* b) { return a->seconds.value < b->seconds.value; });
+    std::vector<const Row*> front;
+    for (const Row* row : by_time) {
+        if (front.empty() || error_in(*row, region) < error_in(*front.back(), region)) front.push_back(row);
+    }
+    return front;
+}
+
+const Row* cheapest(const std::vector<const Row*>& rows, Region region, double error) {
+    const Row* best = nullptr;
+    for (const Row* row : rows) {
+        const double reached = error_in(*row, region);
+        if (reached > error || reached <= row->of(region).zone) continue;
+        if (!best || row->seconds.value < best->seconds.value) best = row;
+    }
+    return best;
+}
+
+}  // namespace zerkalo::study

@@ -1,0 +1,31 @@
+// One setting of a study: a way to render one of its scenes. Every row of the results belongs to one.
+#pragma once
+
+#include "core/render/settings.hpp"
+#include "tools/zerkalo/frame.hpp"
+
+namespace zerkalo::study {
+
+struct Setting {
+    int scene = 0;  // of the plan
+    Number number = Number::floating;
+    Estimator estimator = Estimator::fibonacci;
+    std::int32_t samples = 1;
+    std::int32_t antialias = 1;
+};
+
+constexpr const char* name_of(Number number) { return number == Number::fixed ? "fixed" : "float"; }
+
+/// For the renderer. `rotation` is one of the equally good placements of the lobe rays.
+inline Settings settings_of(const Setting& setting, const ImageSize& size, std::int32_t rotation) {
+    Settings settings;
+    settings.width = size.width;
+    settings.height = size.height;
+    settings.samples = setting.samples;
+    settings.antialias = setting.antialias;
+    settings.estimator = setting.estimator;
+    settings.rotation = rotation;
+    return settings;
+}
+
+}  // namespace zerkalo::study
