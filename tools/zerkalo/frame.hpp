@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/render/render.hpp"
+#include "tools/number.hpp"
 
 #include <atomic>
 #include <memory>
@@ -9,9 +10,6 @@
 #include <vector>
 
 namespace zerkalo {
-
-/// What the kernels count with: float lanes, or fixed point.
-enum class Number { floating, fixed };
 
 /// A prepared frame. `image` covers all of the plan's picture and is backed by `pixels`.
 struct Frame {
