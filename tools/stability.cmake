@@ -13,6 +13,7 @@ add_library(zerkalo_stability STATIC
   stability/far_camera_rows.cpp
   stability/format_rows.cpp
   stability/glass_rows.cpp
+  stability/hemisphere_rows.cpp
   stability/lamp_rows.cpp
   stability/light_rows.cpp
   stability/lobe_rows.cpp

@@ -24,11 +24,11 @@ ZERKALO_INLINE RootPair<L> roots_of_unit_quadratic(B b, D c, D disc) {
     return {quotient<L>(c, q), q};
 }
 
-/// Any A, also 0 and negative. `disc` >= 0. Q: the format of B.
-template <class L, class Q = L, class A, class B, class C, class D>
+/// Any A, also 0 and negative. `disc` >= 0. Q: the format of B and of q, S: that of the root.
+template <class L, class Q, class S, class A, class B, class C, class D>
 ZERKALO_INLINE RootPair<L> roots_of_quadratic(A a, B b, C c, D disc) {
     const Q minus_b = -as<Q>(b);
-    const Q q = minus_b + flip_sign(root<Q>(disc), minus_b);
+    const Q q = minus_b + flip_sign(as<Q>(root<S>(disc)), minus_b);
     return {quotient<L>(c, q), quotient<L>(q, a)};
 }
 

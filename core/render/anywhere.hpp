@@ -101,19 +101,27 @@ ZERKALO_INLINE Departure<R> departure_of_camera(const CameraPlanOf<F>& camera, V
     return {index_of<R>(camera.stands_on), Index<R>(-1), Mask<R>(inwards)};
 }
 
-/// Meets a sphere so close to the camera that b^2 - c is the better discriminant for its rays. False of all others, and
-/// in fixed point and double, where c has digits enough.
+/// Solid k as the camera sees it, if it is a ball.
+template <class R>
+ZERKALO_INLINE auto ball_seen_by_camera(const PlanFor<R>& plan, int k) {
+    const SolidPlanFor<R>& solid = plan.solids[k];
+    if constexpr (std::same_as<Formats<R>, FloatFormats>) {
+        return sphere_origin<R>(solid, k, plan.camera_origin);
+    } else {
+        return sphere_seen_from<Uniform<R>>(solid.sphere, plan.camera.origin);
+    }
+}
+
+/// Meets a sphere so close to the camera that b^2 - c is the better discriminant for its rays. False of all others.
 template <class R>
 ZERKALO_INLINE bool met_close_by(AnyHit<R>& best, const PlanFor<R>& plan, int k, Vec3<Direction<R>> d,
                                  const Departure<R>& from, Mask<R> active, Length<R> t_min) {
-    if constexpr (std::same_as<Formats<R>, FloatFormats>) {
-        const SolidPlanFor<R>& solid = plan.solids[k];
-        if (solid.shape != ShapeKind::sphere || !(plan.camera_origin.solids[k].c < solid.sphere.radius2)) return false;
-        const auto seen = sphere_origin<R>(solid, k, plan.camera_origin);
-        keep_convex<R>(best, sphere_span_close<System<R>>(seen, d), solid, from, active, t_min);
-        return true;
-    }
-    return false;
+    const SolidPlanFor<R>& solid = plan.solids[k];
+    if (solid.shape != ShapeKind::sphere) return false;
+    const auto seen = ball_seen_by_camera<R>(plan, k);
+    if (!(seen.c < solid.sphere.radius2)) return false;
+    keep_convex<R>(best, sphere_span_close<System<R>>(seen, d), solid, from, active, t_min);
+    return true;
 }
 
 /// The nearest surface with t > t_min; t is infinite and id -1 where there is none. `close`: these are camera rays, and

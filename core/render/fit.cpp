@@ -5,6 +5,8 @@ namespace {
 
 // The box, and the longest way across the scene: below the 16 where lengths end, with room for rounding.
 constexpr double kBox = 8, kLongestWay = 15;
+// A scene of no size at all is left as it is.
+constexpr double kMostScale = 0x1p300;
 // What a camera or a light far away may take from the scale of the objects.
 constexpr double kMostDistance = 128;
 // The smallest solid or mirror, in the box: 65536 steps of a length.
@@ -42,7 +44,7 @@ double scale_of(const Box& box) {
     const double farthest = box.farthest_coordinate(), way = length(box.high - box.low);
     double scale = 1;
     while (farthest * scale > kBox || way * scale > kLongestWay) scale /= 2;
-    while (scale < 0x1p40 && farthest * scale * 2 <= kBox && way * scale * 2 <= kLongestWay) scale *= 2;
+    while (scale < kMostScale && farthest * scale * 2 <= kBox && way * scale * 2 <= kLongestWay) scale *= 2;
     return scale;
 }
 

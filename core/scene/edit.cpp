@@ -2,6 +2,8 @@
 
 #include "core/geometry/frame.hpp"
 
+#include <limits>
+
 namespace zerkalo {
 
 Camera moved(const Camera& camera, const Vec3<double>& delta) {
@@ -33,8 +35,9 @@ double radians(double degrees) {
 }
 
 double exponent_of_polish(double polish) {
+    if (!(polish >= 0 && polish <= 1)) return std::numeric_limits<double>::quiet_NaN();
+    if (polish == 1) return kInfinity;
     const double rough = 1 - polish;
-    if (!(rough > 0)) return kInfinity;
     const double alpha2 = (rough * rough) * (rough * rough);
     return (1 / alpha2 - 1) / 2;
 }

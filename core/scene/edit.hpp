@@ -15,7 +15,8 @@ Camera turned(const Camera& camera, const Vec3<double>& angles);
 /// Degrees to radians, rounded once.
 double radians(double degrees);
 
-/// Polish 0..1 -> exponent of the mirror's lobe, ((1-p)^-4 - 1)/2; 1 gives infinity, the sharp mirror.
+/// Polish 0..1 -> exponent of the mirror's lobe, ((1-p)^-4 - 1)/2; 1 gives infinity, the sharp mirror. Any other number
+/// gives NaN, which prepare() refuses.
 double exponent_of_polish(double polish);
 
 }  // namespace zerkalo

@@ -72,7 +72,7 @@ ZERKALO_INLINE MirrorHit<N> curved_mirror_hit(const S& m, Vec3<O> from, Vec3<Dir
     const auto disc = as<Square<N>>(b * b) - as<Square<N>>(kappa * c);
     const auto meets = disc >= Square<N>(0);
     if (none(meets)) return {meets, shift, shift, shift, shift};
-    const auto roots = roots_of_quadratic<L, D>(kappa, b, c, max(disc, Square<N>(0)));
+    const auto roots = roots_of_quadratic<L, D, D>(kappa, b, c, max(disc, Square<N>(0)));
     const auto one = curved_candidate<N>(m, o, d_local, roots.near_zero, shift, t_min);
     const auto two = curved_candidate<N>(m, o, d_local, roots.other, shift, t_min);
     const MaskOf<N> take_two = two.hit & ((!one.hit) | (two.t < one.t));

@@ -61,7 +61,8 @@ ZERKALO_INLINE Span<N> lateral_span(const T& tube, Vec3<Length<N>> o, Vec3<Direc
     if (none(exists)) return span;
 
     const A c = o.x * o.x + o.z * o.z - m * m;
-    const auto roots = roots_of_quadratic<L>(a, b, c, max(disc, zero));
+    // An area: along a wall that is nearly parallel to the axis and the ray, b is far below a step of a length.
+    const auto roots = roots_of_quadratic<L, A, L>(a, b, c, max(disc, zero));
     const L far = far_away<L>();
     L entry = min(roots.near_zero, roots.other);
     L exit = max(roots.near_zero, roots.other);

@@ -15,12 +15,20 @@ class Stability(CommandLineTest):
         for row in report["cases"]:
             self.assertTrue(row["holds"], row)
             self.assertLessEqual(row["ours"], row["bound"], row)
+            self.assertTrue(row["fixed_refuses"] if row["fixed"] is None else row["fixed"] <= row["fixed_bound"], row)
             # null: the textbook's formula gave no number at all.
             self.assertTrue(row["naive"] is None or row["naive"] > row["bound"], row)
 
     def test_one_case_can_be_asked_for_on_one_instruction_set(self):
         report = self.json("stability", "S32", "S01", "--isa", "scalar")
         self.assertEqual((report["isa"], [row["case"] for row in report["cases"]]), ("scalar", ["S01", "S32"]))
+
+    def test_fixed_point_names_the_field_of_what_it_refuses(self):
+        camera, sun, glass = self.json("stability", "S01", "S40", "S50")["cases"]
+        self.assertEqual((camera["fixed"], camera["fixed_refuses"]), (0, ""))
+        self.assertEqual((sun["fixed"], sun["fixed_refuses"]), (None, "position"))
+        self.assertEqual(glass["fixed_refuses"], "refractive_index")
+        self.assertGreater(glass["fixed"], 0)  # the other ball of the row is judged
 
     def test_text_has_a_line_a_case_and_the_sum(self):
         lines = self.succeed("stability", "S01", "S02").decode().splitlines()

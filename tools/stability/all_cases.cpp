@@ -6,6 +6,22 @@
 
 namespace zerkalo::stability {
 
+Verdict judge(const StiffCase& row, Isa isa, Number number) {
+    const Stage stage(isa, number);
+    Verdict verdict{};
+    try {
+        verdict.error = row.ours(stage);
+        verdict.refused = stage.refused();
+    } catch (const Refused& refused) {
+        if (number == Number::floating) throw;
+        verdict.refused = refused.field;
+    }
+    const InFixed terms = number == Number::fixed ? row.in_fixed : InFixed{};
+    const bool within = terms.every_scene ? !verdict.error : verdict.error && *verdict.error <= bound_of(row, number);
+    verdict.holds = within && verdict.refused == terms.refused;
+    return verdict;
+}
+
 std::vector<StiffCase> all_cases() {
     std::vector<StiffCase> cases;
     const std::span<const StiffCase> groups[] = {
@@ -19,6 +35,7 @@ std::vector<StiffCase> all_cases() {
         far_camera_rows(),
         format_rows(),
         glass_rows(),
+        hemisphere_rows(),
         lamp_rows(),
         light_rows(),
         lobe_rows(),

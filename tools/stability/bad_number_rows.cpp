@@ -43,8 +43,8 @@ Scene sound_scene() {
     return scene;
 }
 
-struct Number {
-    const char* field;
+struct Field {
+    const char* name;
     double* value;
     bool may_be_infinite = false, may_be_minus_infinite = false;
 
@@ -53,8 +53,8 @@ struct Number {
     }
 };
 
-struct Numbers {
-    std::vector<Number> all;
+struct Fields {
+    std::vector<Field> all;
 
     void add(const char* field, double& x) { all.push_back({field, &x}); }
     void add(const char* field, Vec3<double>& v) {
@@ -65,60 +65,60 @@ struct Numbers {
     }
 };
 
-void add_solids(Numbers& numbers, Scene& scene) {
+void add_solids(Fields& fields, Scene& scene) {
     Solid& round = scene.solids[0];
     Solid& tube = scene.solids[1];
-    numbers.add("position", round.position);
-    numbers.add("radius", round.radius);
-    numbers.add("rotate_deg", tube.rotation);
-    numbers.add("height", tube.height);
-    numbers.add("taper", tube.taper);
-    numbers.add("scale", scene.solids[2].scale);
-    for (Triangle* t = scene.triangles; t < scene.triangles + scene.triangle_count; ++t) numbers.add("vertices", t->b);
+    fields.add("position", round.position);
+    fields.add("radius", round.radius);
+    fields.add("rotate_deg", tube.rotation);
+    fields.add("height", tube.height);
+    fields.add("taper", tube.taper);
+    fields.add("scale", scene.solids[2].scale);
+    for (Triangle* t = scene.triangles; t < scene.triangles + scene.triangle_count; ++t) fields.add("vertices", t->b);
     Material& material = round.material;
-    numbers.add("color", material.color);
-    numbers.add("ambient", material.ambient);
-    numbers.add("diffuse", material.diffuse);
-    numbers.add("specular", material.specular);
-    numbers.add("shininess", material.shininess);
-    numbers.add("reflection", material.reflection);
-    numbers.add("transmission", material.transmission);
-    numbers.add("refractive_index", material.refractive_index);
+    fields.add("color", material.color);
+    fields.add("ambient", material.ambient);
+    fields.add("diffuse", material.diffuse);
+    fields.add("specular", material.specular);
+    fields.add("shininess", material.shininess);
+    fields.add("reflection", material.reflection);
+    fields.add("transmission", material.transmission);
+    fields.add("refractive_index", material.refractive_index);
 }
 
-void add_mirrors(Numbers& numbers, Scene& scene) {
+void add_mirrors(Fields& fields, Scene& scene) {
     Mirror& mirror = scene.mirrors[0];
-    numbers.add("position", mirror.position);
-    numbers.add("normal", mirror.normal);
-    numbers.add("up", mirror.up);
-    numbers.add("boundary.width", mirror.boundary.width);
-    numbers.add("boundary.height", mirror.boundary.height);
-    numbers.add("boundary.radius", scene.mirrors[1].boundary.radius);
-    numbers.add("boundary.points", scene.mirrors[2].boundary.corners[1].x);
-    numbers.all.push_back({"curvature_radius", &mirror.curvature_radius, true, true});
-    numbers.all.push_back({"lobe_exponent", &mirror.lobe_exponent, true});
-    numbers.add("color", mirror.color);
-    numbers.add("ambient", mirror.ambient);
-    numbers.add("diffuse", mirror.diffuse);
-    numbers.add("specular", mirror.specular);
-    numbers.add("shininess", mirror.shininess);
-    numbers.add("reflection", mirror.reflection);
+    fields.add("position", mirror.position);
+    fields.add("normal", mirror.normal);
+    fields.add("up", mirror.up);
+    fields.add("boundary.width", mirror.boundary.width);
+    fields.add("boundary.height", mirror.boundary.height);
+    fields.add("boundary.radius", scene.mirrors[1].boundary.radius);
+    fields.add("boundary.points", scene.mirrors[2].boundary.corners[1].x);
+    fields.all.push_back({"curvature_radius", &mirror.curvature_radius, true, true});
+    fields.all.push_back({"lobe_exponent", &mirror.lobe_exponent, true});
+    fields.add("color", mirror.color);
+    fields.add("ambient", mirror.ambient);
+    fields.add("diffuse", mirror.diffuse);
+    fields.add("specular", mirror.specular);
+    fields.add("shininess", mirror.shininess);
+    fields.add("reflection", mirror.reflection);
 }
 
-Numbers numbers_of(Scene& scene) {
-    Numbers numbers;
-    numbers.add("ambient", scene.ambient);
-    numbers.add("background", scene.background);
-    numbers.add("position", scene.camera.position);
-    numbers.add("view", scene.camera.view);
-    numbers.add("up", scene.camera.up);
-    numbers.add("horizontal_fov_deg", scene.camera.fov);
-    numbers.add("position", scene.lights[0].position);
-    numbers.add("color", scene.lights[0].color);
-    numbers.add("intensity", scene.lights[0].intensity);
-    add_solids(numbers, scene);
-    add_mirrors(numbers, scene);
-    return numbers;
+Fields fields_of(Scene& scene) {
+    Fields fields;
+    fields.add("ambient", scene.ambient);
+    fields.add("background", scene.background);
+    fields.add("position", scene.camera.position);
+    fields.add("view", scene.camera.view);
+    fields.add("up", scene.camera.up);
+    fields.add("horizontal_fov_deg", scene.camera.fov);
+    fields.add("position", scene.lights[0].position);
+    fields.add("color", scene.lights[0].color);
+    fields.add("intensity", scene.lights[0].intensity);
+    add_solids(fields, scene);
+    add_mirrors(fields, scene);
+    return fields;
 }
 
 /// How many of the numbers, set to NaN and to both infinities, get a wrong answer.
@@ -126,21 +126,22 @@ template <class Wrong>
 double wrong_answers(const Wrong& wrong) {
     Scene scene = sound_scene();
     int count = 0;
-    for (const Number& number : numbers_of(scene).all) {
-        const double sound = *number.value;
+    for (const Field& field : fields_of(scene).all) {
+        const double sound = *field.value;
         for (const double bad : {kNaN, kInfinity, -kInfinity}) {
-            if (number.allows(bad)) continue;
-            *number.value = bad;
-            count += wrong(scene, number);
+            if (field.allows(bad)) continue;
+            *field.value = bad;
+            count += wrong(scene, field);
         }
-        *number.value = sound;
+        *field.value = sound;
     }
     return count;
 }
 
 double s51_ours(const Stage& stage) {
     if (!stage.render(sound_scene(), 8, 8).finite()) return kInfinity;
-    return wrong_answers([](const Scene& scene, const Number& number) { return refused_field(scene) != number.field; });
+    return wrong_answers(
+        [&](const Scene& scene, const Field& field) { return stage.refused_field(scene) != field.name; });
 }
 
 /// Whitted's local light at the ball of sound_scene(), in red, beside the middle. The textbook asks nothing.
@@ -167,7 +168,7 @@ float pixel(const Scene& scene) {
 }
 
 double s51_naive() {
-    return wrong_answers([](const Scene& scene, const Number&) { return !std::isfinite(pixel(scene)); });
+    return wrong_answers([](const Scene& scene, const Field&) { return !std::isfinite(pixel(scene)); });
 }
 
 constexpr StiffCase kRows[] = {

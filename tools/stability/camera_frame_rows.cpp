@@ -1,22 +1,23 @@
 // The camera's frame: directions that are zero, parallel or nearly so, and the widest angles.
 #include "tools/stability/exact.hpp"
+#include "tools/stability/fixed_lanes_of.hpp"
 #include "tools/stability/naive.hpp"
 #include "tools/stability/stiff_case.hpp"
 
-#include <memory>
 #include <numbers>
 #include <string_view>
 
 namespace zerkalo::stability {
 namespace {
 
+template <class T>
 struct Frame {
-    Vec3<float> view, right, up;
+    Vec3<T> view, right, up;
 };
 
 /// Seed formulas 2.7 and 2.8.
-Frame naive_frame(Vec3<float> view, Vec3<float> up) {
-    Frame frame;
+Frame<float> naive_frame(Vec3<float> view, Vec3<float> up) {
+    Frame<float> frame;
     frame.view = naive::unit(view);
     frame.right = naive::unit(naive::cross(frame.view, up));
     frame.up = naive::cross(frame.right, frame.view);
@@ -24,7 +25,7 @@ Frame naive_frame(Vec3<float> view, Vec3<float> up) {
 }
 
 bool finite(Vec3<float> v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-bool finite(const Frame& f) { return finite(f.view) && finite(f.right) && finite(f.up); }
+bool finite(const Frame<float>& f) { return finite(f.view) && finite(f.right) && finite(f.up); }
 
 Scene framed_ball() {
     Scene scene;
@@ -36,13 +37,13 @@ Scene framed_ball() {
 }
 
 // S20
-double s20_ours(const Stage&) {
+double s20_ours(const Stage& stage) {
     Scene view = framed_ball(), up = view, normal = view, mirror_up = view;
     view.camera.view = up.camera.up = normal.mirrors[0].normal = mirror_up.mirrors[0].up = {0, 0, 0};
-    int let_pass = refused_field(view) != "view";
-    let_pass += refused_field(up) != "up";
-    let_pass += refused_field(normal) != "normal";
-    let_pass += refused_field(mirror_up) != "up";
+    int let_pass = stage.refused_field(view) != "view";
+    let_pass += stage.refused_field(up) != "up";
+    let_pass += stage.refused_field(normal) != "normal";
+    let_pass += stage.refused_field(mirror_up) != "up";
     return let_pass;
 }
 
@@ -88,7 +89,7 @@ double s21_ours(const Stage& stage) {
 }
 
 Picture naive_two_balls(Vec3<float> view, Vec3<float> up) {
-    const Frame frame = naive_frame(view, up);
+    const Frame<float> frame = naive_frame(view, up);
     const Vec3<float> eye = naive::times(frame.view, -5);
     const float half = std::tan(0.4f);
     Picture picture{kSide, kSide, {}};
@@ -120,7 +121,8 @@ constexpr double kTilt = 1e-7;
 constexpr Vec3<double> kViews[] = {{0, 0, -1}, {1, -2, -3}, {0.3, -0.2, 0.7}, {-5, 0.1, 0.2}};
 
 /// How far the frame is from view, view x up, and both's cross product, in roundings of a float, 2^-24.
-double frame_error(const Vec3<double>& view, const Vec3<double>& tilt, const Frame& frame) {
+template <class T>
+double frame_error(const Vec3<double>& view, const Vec3<double>& tilt, const Frame<T>& frame) {
     const Vec3<double> right = exact::cross(view, tilt), up = exact::cross(right, view);
     double largest = 0;
     for (const auto& [is, should] : {std::pair{frame.view, view}, {frame.right, right}, {frame.up, up}}) {
@@ -144,18 +146,22 @@ double largest_frame_error(const FrameOf& frame) {
     return largest;
 }
 
-double s22_ours(const Stage&) {
-    return largest_frame_error([](const Vec3<double>& view, const Vec3<double>& up) {
+double s22_ours(const Stage& stage) {
+    return largest_frame_error([&](const Vec3<double>& view, const Vec3<double>& up) {
         Scene scene = framed_ball();
         scene.camera.view = view;
         scene.camera.up = up;
-        Settings settings;
-        settings.width = settings.height = kSide;
-        const auto plan = std::make_unique<Plan>();
-        if (!prepare(scene, settings, *plan).ok()) throw Refused("S22");
-        const float across = float(kSide / std::tan(scene.camera.fov / 2));
-        const CameraPlan& camera = plan->camera;
-        return Frame{camera.view, naive::times(camera.step_x, across), naive::times(camera.step_y, across)};
+        const double half = std::tan(scene.camera.fov / 2);
+        // In fixed point the ray of a corner has length 1 before it is normalised, in float the one of the middle.
+        const double length = stage.fixed() ? std::sqrt(1 + 2 * half * half) : 1;
+        return stage.prepared(scene, kSide, kSide).with_plan([&](const auto& plan) {
+            const auto times = [](const auto& v, double factor) {
+                return Vec3<double>{real(v.x) * factor, real(v.y) * factor, real(v.z) * factor};
+            };
+            const double across = length * kSide / half;
+            return Frame<double>{times(plan.camera.view, length), times(plan.camera.step_x, across),
+                                 times(plan.camera.step_y, across)};
+        });
     });
 }
 
@@ -193,7 +199,8 @@ double s24_ours(const Stage& stage) {
     for (const FovAxis axis : {FovAxis::horizontal, FovAxis::vertical}) {
         for (const double degrees : kTooWide) {
             scene.camera.fov = degrees * kDegree, scene.camera.fov_axis = axis;
-            faults += refused_field(scene) != (axis == FovAxis::horizontal ? "horizontal_fov_deg" : "vertical_fov_deg");
+            const char* field = axis == FovAxis::horizontal ? "horizontal_fov_deg" : "vertical_fov_deg";
+            faults += stage.refused_field(scene) != field;
         }
     }
     return faults;

@@ -1,10 +1,10 @@
-// Fixed-point formulas in as many lanes as a stage's instruction set has pixels, for rows that speak of formats.
+// Fixed-point formulas in any number of lanes, for rows that speak of formats.
 #pragma once
 
 #include "core/numeric/fixed.hpp"
 #include "tools/stability/stage.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -12,14 +12,11 @@ namespace zerkalo::stability {
 
 constexpr int kMostFixedLanes = 8;  // lanes of integers exist in any number; nothing is wider than this
 
-/// Calls f with the number of lanes as a constant: 1, 4 or 8.
+/// The largest of what f gives for every number of lanes, a constant: 1, 4 and 8.
 template <class F>
-auto with_lanes(const Stage& stage, const F& f) {
-    switch (lanes_of(stage.isa())) {
-        case 1: return f(std::integral_constant<int, 1>{});
-        case 4: return f(std::integral_constant<int, 4>{});
-        default: return f(std::integral_constant<int, kMostFixedLanes>{});
-    }
+double worst_of_widths(const F& f) {
+    return std::max({f(std::integral_constant<int, 1>{}), f(std::integral_constant<int, 4>{}),
+                     f(std::integral_constant<int, kMostFixedLanes>{})});
 }
 
 /// The nearest number of a format with one lane.
@@ -27,6 +24,8 @@ template <class F>
 F nearest(double x) {
     return F::from_raw(static_cast<typename F::Element>(std::llround(std::ldexp(x, F::kFraction))));
 }
+
+inline double real(float x) { return double{x}; }
 
 /// A lane's value.
 template <class Rep, int FracBits>

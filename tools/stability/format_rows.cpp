@@ -1,4 +1,4 @@
-// Fixed point at the ends of its formats: nothing wraps, nothing vanishes.
+// Numbers at the ends of their formats: nothing wraps, nothing vanishes.
 #include "tools/stability/fixed_lanes_of.hpp"
 #include "tools/stability/stiff_case.hpp"
 
@@ -8,7 +8,8 @@
 namespace zerkalo::stability {
 namespace {
 
-// S68. Sums, differences, products and quotients of lengths at the ends of Q4.27, and inside of them by one step.
+// S68. Sums, differences, products and quotients of lengths at the ends of Q4.27, and inside of them by one step; and
+// scenes whose coordinates are the largest power of two that a scene may have, and the next one.
 
 __extension__ using Wide = __int128;
 
@@ -73,8 +74,24 @@ Results in_fixed(const Pairs& pairs, std::size_t i) {
     return {raw(a + b), raw(a - b), raw(as<L>(a * d)), raw(quotient<L>(a, d))};
 }
 
+/// A ball and its lamp at coordinates of that size, the camera too.
+Scene scene_of_size(double size) {
+    Scene scene;
+    scene.camera = camera_at({size, -size, size}, {-2, 2, -2}, 0.5);
+    add(scene, ball({-size / 2, size / 2, -size / 2}, size / 4, chalk()));
+    add(scene, lamp({size, size, size}));
+    return scene;
+}
+
+constexpr double kLargestSize = 0x1p49;  // 2^50 is beyond 1e15
+constexpr int kSide = 24;
+
 double s68_ours(const Stage& stage) {
-    return with_lanes(stage, [](auto width) { return results_beyond_a_step(in_fixed<decltype(width)::value>); });
+    double wrong = pixels_apart(stage.render(scene_of_size(1), kSide, kSide),
+                                stage.render(scene_of_size(kLargestSize), kSide, kSide));
+    wrong += stage.refused_field(scene_of_size(2 * kLargestSize)) != "position";
+    if (!stage.fixed()) return wrong;
+    return wrong + worst_of_widths([](auto width) { return results_beyond_a_step(in_fixed<decltype(width)::value>); });
 }
 
 /// 32-bit integers as they are: what does not fit wraps around. Division by zero is left out here: it would trap.
@@ -96,7 +113,7 @@ constexpr int kExponent = 29;  // kappa = mantissa 2^-29 with a mantissa from 1/
 constexpr double kFarthest = 8;
 constexpr int kPoints = 64;
 
-/// The largest error of the term in steps of a length, 2^-27. term(raw area, kappa) -> raw length.
+/// The largest error of the term in steps of a length of fixed point, 2^-27. term(area, kappa) -> its length in steps.
 template <class Term>
 double largest_error(const Term& term) {
     double largest = 0;
@@ -105,14 +122,19 @@ double largest_error(const Term& term) {
             const double distance = kFarthest * k / kPoints;
             const auto area = nearest<Area<FixedNumbers<1>>>(3 * distance * distance);
             const double exact = std::ldexp(kappa * real(area), 27);
-            largest = std::max(largest, std::abs(static_cast<double>(term(area, kappa)) - exact));
+            largest = std::max(largest, std::abs(term(area, kappa) - exact));
         }
     }
     return largest;
 }
 
 double s69_ours(const Stage& stage) {
-    return with_lanes(stage, [](auto width) {
+    if (!stage.fixed()) {
+        return largest_error([](const Area<FixedNumbers<1>>& area, double kappa) {
+            return std::ldexp(double{float(kappa) * float(real(area))}, 27);
+        });
+    }
+    return worst_of_widths([](auto width) {
         using N = FixedNumbers<decltype(width)::value>;
         return largest_error([](const Area<FixedNumbers<1>>& area, double kappa) {
             const auto mantissa = nearest<Direction<FixedNumbers<1>>>(std::ldexp(kappa, kExponent));
@@ -121,7 +143,7 @@ double s69_ours(const Stage& stage) {
             const auto product = each_lane(
                 [](std::int32_t m, std::int64_t x) { return rescaled_product<std::int32_t, kShift>(m, x); },
                 Direction<N>(mantissa).raw, Area<N>(area).raw);
-            return lane_of(product, 0);
+            return double(lane_of(product, 0));
         });
     });
 }
@@ -130,15 +152,16 @@ double s69_ours(const Stage& stage) {
 double s69_naive() {
     return largest_error([](const Area<FixedNumbers<1>>& area, double kappa) {
         const std::int64_t mantissa = std::llround(std::ldexp(kappa, 27));
-        return mantissa * (area.raw >> 27) >> 27;
+        return double(mantissa * (area.raw >> 27) >> 27);
     });
 }
 
 constexpr StiffCase kRows[] = {
-    {"S68", "fixed point: lengths of -16, 16 and one step inside, in + - * /", "wraps around to the other side",
-     "at the end of the format, or exact to a step", "wrong results", 0, s68_ours, s68_naive},
-    {"S69", "fixed point: a mirror with kappa = 1e-9", "kappa is 0 in the format of lengths: a plane",
-     "with a block exponent kappa |o|^2 is right to half a step", "steps of 2^-27", 0.5 + 1e-6, s69_ours,
+    {"S68", "the ends of a fixed format in + - * /; coordinates of 2^49 and 2^50", "wraps around to the other side",
+     "at the end of the format, or exact to a step; the picture of size 1; refused", "wrong results", 0, s68_ours,
+     s68_naive},
+    {"S69", "a mirror with kappa = 1e-9: kappa |o|^2", "kappa is 0 in the format of lengths: a plane",
+     "in fixed point, with a block exponent, right to half a step", "steps of 2^-27", 0.5 + 1e-6, s69_ours,
      s69_naive},
 };
 

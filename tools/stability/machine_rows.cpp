@@ -1,6 +1,5 @@
 // What the machine does in its own way: the order of tiles, the number of threads, the mode of the float unit.
 #include "tools/stability/naive.hpp"
-#include "tools/stability/plan_of.hpp"
 #include "tools/stability/stiff_case.hpp"
 
 #include "core/image/hash.hpp"
@@ -161,15 +160,11 @@ double s57_ours(const Stage& stage) {
     }
     Settings settings;
     settings.samples = 4;
-    const auto plan = plan_of(scene, settings, kWidth, kHeight);
-    const TileFunction render_tile = kernel_for(*plan, stage.isa());
-    return other_pictures(tile_count(*plan), [&](const std::vector<int>& order, int threads) {
+    const Prepared frame = stage.prepared(scene, kWidth, kHeight, settings);
+    return other_pictures(frame.tiles(), [&](const std::vector<int>& order, int threads) {
         std::vector<float> pixels(std::size_t{3} * kWidth * kHeight);
         const LinearImage image{pixels.data(), kWidth, kHeight, std::ptrdiff_t{12} * kWidth};
-        on_threads(order, threads, [&](int tile) {
-            RayCounts rays;
-            render_tile(*plan, tile_at(*plan, tile), image, rays);
-        });
+        on_threads(order, threads, [&](int tile) { frame.draw(frame.tile(tile), image); });
         return hash_of(image);
     });
 }

@@ -70,7 +70,8 @@ double s54_ours(const Stage& stage) {
     good.material.color = {1, 1, 1};
     good.material.ambient = good.material.diffuse = good.material.specular = good.material.transmission = 1;
     if (!stage.render(plate(good), 4, 4).finite()) return std::size(kBadTerms) + 1;
-    return passing([](const Surface& surface, const char* field) { return refused_field(plate(surface)) != field; });
+    return passing(
+        [&](const Surface& surface, const char* field) { return stage.refused_field(plate(surface)) != field; });
 }
 
 /// The sum seen along the normal, the lamp behind the eye. Nobody checks its terms.
@@ -144,7 +145,7 @@ double s64_ours(const Stage& stage) {
     };
     int wrong = pixels_apart(stage.render(mirror_of(kite()), kSide, kSide),
                              stage.render(mirror_of(reversed_kite()), kSide, kSide));
-    for (const BadOutline& bad : bad_outlines()) wrong += refused_field(mirror_of(bad.boundary)) != bad.field;
+    for (const BadOutline& bad : bad_outlines()) wrong += stage.refused_field(mirror_of(bad.boundary)) != bad.field;
     return wrong;
 }
 

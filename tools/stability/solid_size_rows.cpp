@@ -48,12 +48,12 @@ std::vector<Sizeless> sizeless_solids() {
     return list;
 }
 
-double s25_ours(const Stage&) {
+double s25_ours(const Stage& stage) {
     int wrong = 0;
     for (const Sizeless& sizeless : sizeless_solids()) {
         Scene scene;
         add(scene, sizeless.solid);
-        wrong += refused_field(scene) != sizeless.field;
+        wrong += stage.refused_field(scene) != sizeless.field;
     }
     return wrong;
 }
@@ -114,7 +114,7 @@ double s26_ours(const Stage& stage) {
         wrong += wrong_in_polygon(sides, [&](int i, int j, double, double) { return picture.at(i, j).r > 0; });
     }
     for (const int sides : {2, 1, 0, -1}) {
-        wrong += refused_field(prism_from_above(sides, kSmall, kSmall, 0, kAbove)) != "sides";
+        wrong += stage.refused_field(prism_from_above(sides, kSmall, kSmall, 0, kAbove)) != "sides";
     }
     return wrong;
 }

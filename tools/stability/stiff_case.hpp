@@ -4,10 +4,19 @@
 
 #include "tools/stability/stage.hpp"
 
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace zerkalo::stability {
+
+/// Where fixed point differs from float.
+struct InFixed {
+    const char* refused = "";  // the field that prepare() names of scenes in this case that the formats cannot hold
+    bool every_scene = false;  // none is left to judge
+    double bound = -1;         // below 0: that of float
+};
 
 struct StiffCase {
     const char* id;       // "S01"
@@ -20,10 +29,26 @@ struct StiffCase {
     double (*ours)(const Stage& stage);
     /// The error of the naive twin: the formula that a textbook gives, in float. Beyond the bound, or not a number.
     double (*naive)();
+    InFixed in_fixed = {};
 };
 
-/// The error is within the bound; not so for NaN.
-inline bool holds(const StiffCase& row, double error) { return error <= row.bound; }
+/// What became of a case in a number system.
+struct Verdict {
+    std::optional<double> error;  // nothing where no scene could be judged
+    std::string refused;          // the field of a scene that the formats could not hold, if there was one
+    bool holds;
+};
+
+/// Plays a case by one instruction set. Throws Refused when a float stage refuses a scene: a fault of the case.
+Verdict judge(const StiffCase& row, Isa isa, Number number);
+
+/// The largest error that keeps the law in a number system.
+inline double bound_of(const StiffCase& row, Number number) {
+    return number == Number::fixed && row.in_fixed.bound >= 0 ? row.in_fixed.bound : row.bound;
+}
+
+/// Whether a textbook's error breaks the law; NaN does.
+inline bool breaks(const StiffCase& row, double error) { return !(error <= row.bound); }
 
 /// All cases by number.
 std::vector<StiffCase> all_cases();
@@ -39,6 +64,7 @@ std::span<const StiffCase> edge_rows();
 std::span<const StiffCase> far_camera_rows();
 std::span<const StiffCase> format_rows();
 std::span<const StiffCase> glass_rows();
+std::span<const StiffCase> hemisphere_rows();
 std::span<const StiffCase> lamp_rows();
 std::span<const StiffCase> light_rows();
 std::span<const StiffCase> lobe_rows();

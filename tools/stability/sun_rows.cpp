@@ -103,7 +103,7 @@ double s41_ours(const Stage& stage) {
         for (const Vec3<double>& position : {Vec3<double>{beyond, 1, 1}, {1, beyond, 1}, {1, 1, beyond}}) {
             Scene scene = ball_in_the_sun(1);
             scene.lights[0].position = position;
-            largest += refused_field(scene) != "position";
+            largest += stage.refused_field(scene) != "position";
         }
     }
     return largest;
@@ -167,7 +167,9 @@ double s42_ours(const Stage& stage) {
             scene.camera = camera_at(eye, exact::minus(scene.solids[0].position, eye), 0.4);
             const Picture with = stage.render(scene, kSide, kSide);
             scene.mirror_count = 0;
-            wrong += pixels_apart(with, stage.render(scene, kSide, kSide));
+            // Without the mirror another power of two brings the scene into the box of fixed point: other roundings.
+            const double tolerance = stage.fixed() ? 8 * 0x1p-24 : 0;
+            wrong += pixels_apart(with, stage.render(scene, kSide, kSide), tolerance);
         }
     }
     return wrong;
@@ -194,10 +196,11 @@ double s42_naive() {
 
 constexpr StiffCase kRows[] = {
     {"S40", "the sun: a lamp at 1e15 with 1e30 / r^2", "(N.L) / r^3 with r^3 = infinity: black",
-     "parallel light, with its shadow", "brightness", 1e-6, s40_ours, s40_naive},
+     "parallel light, with its shadow", "brightness", 1e-6, s40_ours, s40_naive,
+     {.refused = "position", .every_scene = true}},
     {"S41", "lamps at 1e8 to 1e15; beyond, at infinity, at NaN", "infinity / infinity",
      "parallel light to the last place that is accepted; the others are refused", "brightness", 1e-6, s41_ours,
-     s41_naive},
+     s41_naive, {.refused = "position", .every_scene = true}},
     {"S42", "a lamp in the plane of a mirror, beside it and on it", "N.L is rounding: half of the pixels are lit",
      "neither side is lit, and the mirror hides the lamp from nothing", "wrong pixels", 0, s42_ours, s42_naive},
 };

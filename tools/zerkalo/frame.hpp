@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/render/render.hpp"
+#include "tools/number.hpp"
 
 #include <atomic>
 #include <memory>
@@ -9,11 +10,6 @@
 #include <vector>
 
 namespace zerkalo {
-
-/// What the kernels count with: float lanes, fixed point, or double; and the names on the command line.
-enum class Number { floating, fixed, double_precision };
-constexpr const char* kNumberNames[] = {"float", "fixed", "double"};
-constexpr const char* name_of(Number number) { return kNumberNames[static_cast<int>(number)]; }
 
 /// A prepared frame. `image` covers all of the plan's picture and is backed by `pixels`.
 struct Frame {

@@ -1,4 +1,5 @@
-// zerkalo stability: the stiff and extreme cases, the renderer's error beside that of the textbook's formula.
+// zerkalo stability: the stiff and extreme cases, the renderer's error in both number systems beside that of the
+// textbook's formula.
 #include "tools/stability/stiff_case.hpp"
 #include "tools/zerkalo/commands.hpp"
 #include "tools/zerkalo/json.hpp"
@@ -6,6 +7,7 @@
 #include "tools/zerkalo/options.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 
 namespace zerkalo {
@@ -21,54 +23,74 @@ struct StabilityOptions {
 
 struct Outcome {
     const StiffCase* row;
-    double naive, ours;
+    double naive;
+    stability::Verdict in_float, in_fixed;
 
-    bool kept() const { return stability::holds(*row, ours); }
+    bool kept() const { return in_float.holds && in_fixed.holds; }
+    double ours() const { return in_float.error.value_or(0); }
 };
 
 std::vector<Outcome> play(const std::vector<StiffCase>& cases, const std::vector<std::string>& wanted, Isa isa) {
-    const stability::Stage stage(isa);
     std::vector<Outcome> outcomes;
     for (const StiffCase& row : cases) {
         if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), row.id) == wanted.end()) continue;
-        outcomes.push_back({&row, row.naive(), row.ours(stage)});
+        outcomes.push_back({&row, row.naive(), stability::judge(row, isa, Number::floating),
+                            stability::judge(row, isa, Number::fixed)});
     }
     return outcomes;
 }
 
+/// The error in fixed point, the field that was refused, or both.
+std::string fixed_figure(const Outcome& outcome) {
+    const stability::Verdict& verdict = outcome.in_fixed;
+    const std::string error = verdict.error ? format("%.2g", *verdict.error) : "";
+    if (verdict.refused.empty()) return error;
+    return error + (error.empty() ? "" : "; ") + "refused: " + verdict.refused;
+}
+
+/// Of float; and of fixed point where that is another one.
+std::string bound_figure(const StiffCase& row) {
+    const double in_fixed = bound_of(row, Number::fixed);
+    return format("%.2g", row.bound) + (in_fixed != row.bound ? format(" (fixed %.2g)", in_fixed) : "");
+}
+
 std::string as_text(const std::vector<Outcome>& outcomes, Isa isa) {
-    std::string text = format("instruction set %s\n%-4s  %-70s %9s %9s %9s  %s\n", name_of(isa), "case", "input", "naive",
-                              "ours", "bound", "unit");
+    std::string text = format("instruction set %s\n%-4s  %-70s %9s %9s  %-34s %s\n", name_of(isa), "case", "input", "naive",
+                              "float", "fixed", "bound");
     int kept = 0;
     for (const Outcome& outcome : outcomes) {
         const StiffCase& row = *outcome.row;
-        text += format("%-4s  %-70s %9.2g %9.2g %9.2g  %s%s\n", row.id, row.input, outcome.naive, outcome.ours,
-                       row.bound, row.unit, outcome.kept() ? "" : "  BROKEN");
+        text += format("%-4s  %-70s %9.2g %9.2g  %-34s %s %s%s\n", row.id, row.input, outcome.naive, outcome.ours(),
+                       fixed_figure(outcome).c_str(), bound_figure(row).c_str(), row.unit,
+                       outcome.kept() ? "" : "  BROKEN");
         kept += outcome.kept();
     }
     return text + format("%d of %zu laws hold\n", kept, outcomes.size());
 }
 
 std::string as_markdown(const std::vector<Outcome>& outcomes) {
-    std::string text = "| case | input | what the textbook's formula does | what holds | naive | ours | bound |\n"
-                       "|---|---|---|---|---|---|---|\n";
+    std::string text = "| case | input | what the textbook's formula does | what holds | naive | float | fixed | bound |\n"
+                       "|---|---|---|---|---|---|---|---|\n";
     for (const Outcome& outcome : outcomes) {
         const StiffCase& row = *outcome.row;
-        text += format("| %s | %s | %s | %s | %.2g | %.2g | %.2g %s |\n", row.id, row.input, row.failure, row.law,
-                       outcome.naive, outcome.ours, row.bound, row.unit);
+        text += format("| %s | %s | %s | %s | %.2g | %.2g | %s | %s %s |\n", row.id, row.input, row.failure, row.law,
+                       outcome.naive, outcome.ours(), fixed_figure(outcome).c_str(), bound_figure(row).c_str(), row.unit);
     }
     return text;
 }
 
 std::string as_json(const std::vector<Outcome>& outcomes, Isa isa) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     std::vector<JsonObject> rows;
     bool kept = true;
     for (const Outcome& outcome : outcomes) {
         const StiffCase& row = *outcome.row;
         JsonObject entry;
         entry.text("case", row.id).text("input", row.input).text("failure", row.failure).text("law", row.law);
-        entry.text("unit", row.unit).number("naive", outcome.naive).number("ours", outcome.ours);
-        rows.push_back(entry.number("bound", row.bound).flag("holds", outcome.kept()));
+        entry.text("unit", row.unit).number("naive", outcome.naive).number("ours", outcome.ours());
+        entry.number("bound", row.bound).number("fixed", outcome.in_fixed.error.value_or(kNone));
+        entry.number("fixed_bound", bound_of(row, Number::fixed)).text("fixed_refuses", outcome.in_fixed.refused);
+        rows.push_back(entry.flag("holds", outcome.kept()));
         kept = kept && outcome.kept();
     }
     JsonObject report;

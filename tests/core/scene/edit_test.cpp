@@ -90,5 +90,12 @@ TEST(Edit, PolishRaisesTheExponentFromZeroToInfinity) {
     }
 }
 
+TEST(Edit, PolishOutsideOfZeroToOneIsNoNumber) {
+    for (const double polish : {-0.5, -1e-30, 1.0000001, 1.5, kInfinity, -kInfinity}) {
+        EXPECT_TRUE(std::isnan(exponent_of_polish(polish))) << polish;
+    }
+    EXPECT_TRUE(std::isnan(exponent_of_polish(std::numeric_limits<double>::quiet_NaN())));
+}
+
 }  // namespace
 }  // namespace zerkalo::test
