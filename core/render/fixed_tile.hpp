@@ -90,6 +90,7 @@ template <class R>
 ZERKALO_INLINE TileView view_of_tile(const FixedPlan& plan, const Rect& tile) {
     TileView view{};
     view.seen = seen_by_tile<R>(plan, tile);
+    if (mirrors_in(view.seen) != 0) fill_blockers<R>(view.mirror_blockers, plan, tile);
     return view;
 }
 

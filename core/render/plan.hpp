@@ -62,7 +62,8 @@ struct SolidPlanOf {
 };
 using SolidPlan = SolidPlanOf<FloatFormats>;
 
-/// What only the kernels for at most one bounce read of a mirror, a light, a plan: they exist in float alone.
+/// What only the kernels for at most one bounce read of a mirror, a light, a plan. They exist in float alone; of it the
+/// fixed-point kernel reads the shadows.
 template <class F>
 struct OneBounceMirror {};
 template <>
@@ -177,6 +178,10 @@ struct OneBouncePlan<FloatFormats> {
     BoundTable bounds;
     PixelBoundsTable<kMaxSolids> image_bounds;               // of the solids' images behind the only, plane mirror
     PixelBoundsTable<kMaxSolids> shadow_bounds[kMaxLights];  // of the solids' shadows on it
+};
+template <>
+struct OneBouncePlan<FixedFormats> {
+    PixelBoundsTable<kMaxSolids, FixedFormats::PixelBound> shadow_bounds[kMaxLights];
 };
 
 /// What a plan tells whoever runs its tiles.
