@@ -180,6 +180,13 @@ ZERKALO_INLINE constexpr auto ahead_of(Fixed<B, F> t_min, Fixed<A, F> t, Fixed<A
                      t_min.raw, t.raw, along.raw);
 }
 
+/// a n for whole n >= 0 where the product is known to fit.
+template <class A, int F>
+ZERKALO_INLINE constexpr Fixed<A, F> times(Fixed<A, F> a, std::int32_t n) {
+    using T = LaneElement<A>;
+    return with_fraction<F>(each_lane([n](T x) { return static_cast<T>(x * n); }, a.raw));
+}
+
 /// The same number with one bit less before the point: half of it, exactly.
 template <class A, int F>
 ZERKALO_INLINE constexpr Fixed<A, F + 1> half_of(Fixed<A, F> a) {

@@ -158,15 +158,33 @@ ZERKALO_INLINE LobePoint<R> lobe_point(R u, R turn, R inverse_exponent) {
     return {radius * azimuth.cosine, radius * azimuth.sine, R(1) - from_axis};
 }
 
-/// The same in fixed point; `turn` wraps.
+/// The part of a point that does not turn, in fixed point.
+template <class R>
+struct LobePolar {
+    Direction<R> radius, forward;
+};
+template <class A, int F, class B, int FS>
+ZERKALO_INLINE auto lobe_polar(Fixed<A, F> u, Fixed<B, FS> inverse_exponent) {
+    using Part = decltype(one_minus_power(u, inverse_exponent));
+    using N = Numbers<Part>;
+    using D = Direction<N>;
+    const Part from_axis = one_minus_power(u, inverse_exponent);
+    const D radius = root<D>(product<Square<N>>(from_axis, Part(2) - from_axis));
+    return LobePolar<N>{radius, D(1) - as<D>(from_axis)};
+}
+/// `turn` wraps.
+template <class R, class P>
+ZERKALO_INLINE auto at_azimuth(const LobePolar<R>& polar, P turn) {
+    using N = FixedNumbers<(kWidth<R> > kLanesOf<P> ? kWidth<R> : kLanesOf<P>)>;
+    using D = Direction<N>;
+    const SineCosine<D> azimuth = sincos_turn<D>(turn);
+    return LobePoint<N>{as<D>(polar.radius * azimuth.cosine), as<D>(polar.radius * azimuth.sine), polar.forward};
+}
+
+/// The same in fixed point.
 template <class A, int F, class P, class B, int FS>
 ZERKALO_INLINE auto lobe_point(Fixed<A, F> u, P turn, Fixed<B, FS> inverse_exponent) {
-    using N = Numbers<Fixed<A, F>>;
-    using D = Direction<N>;
-    const auto from_axis = one_minus_power(u, inverse_exponent);
-    const D radius = root<D>(product<Square<N>>(from_axis, decltype(from_axis)(2) - from_axis));
-    const SineCosine<D> azimuth = sincos_turn<D>(turn);
-    return LobePoint<N>{as<D>(radius * azimuth.cosine), as<D>(radius * azimuth.sine), D(1) - as<D>(from_axis)};
+    return at_azimuth(lobe_polar(u, inverse_exponent), turn);
 }
 
 /// Lattice points index, index + 1, ... of `count`, one a lane, before their class turns them.

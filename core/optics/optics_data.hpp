@@ -46,6 +46,15 @@ struct TransportDataOf {
 };
 using TransportData = TransportDataOf<FloatFormats>;
 
+/// Of fixed point alone: the cone that holds all lobe rays, as slopes; `narrow` where they fit their format.
+template <class F>
+struct LobeConeOf {};
+template <>
+struct LobeConeOf<FixedFormats> {
+    FixedFormats::Ratio tangent, secant;
+    std::uint8_t narrow;
+};
+
 template <class F>
 struct LobeDataOf {
     typename F::Share inverse_exponent;  // 1 / (n + 1)
@@ -53,6 +62,7 @@ struct LobeDataOf {
     typename F::Weight widest_sine;      // of the lattice ray farthest from the axis, rounded up
     std::uint8_t glossy;
     std::uint8_t max_phong;
+    [[no_unique_address]] LobeConeOf<F> cone;
 };
 using LobeData = LobeDataOf<FloatFormats>;
 

@@ -87,6 +87,11 @@ std::uint64_t blockers_between(const Scene& scene, const Surroundings& around, c
     return mask;
 }
 
+/// Is there something to cull behind the only mirror?
+bool one_plane_mirror(const Scene& scene, const PlanHead& plan) {
+    return scene.mirror_count == 1 && !(magnitude(scene.mirrors[0].curvature_radius) < kInfinity) && !plan.exact_plan;
+}
+
 SharedBound shared_bound(const Point& light, const SolidPlan& solid, const Constants<FloatFormats>& to) {
     const Point c = Point{solid.bound_centre.x, solid.bound_centre.y, solid.bound_centre.z} - to.seen(light);
     const double radius = solid.bound_radius;
@@ -142,21 +147,27 @@ void derive_bounds(const Scene& scene, const Viewpoint& eye, PlanOf<F>& plan) {
     }
 }
 
+template <class F>
+void derive_shadow_bounds(const Scene& scene, const Viewpoint& eye, PlanOf<F>& plan) {
+    Hull hull;
+    for (std::int32_t k = 0; k < scene.solid_count; ++k) {
+        for (std::int32_t j = 0; j < scene.light_count; ++j) {
+            plan.shadow_bounds[j].set(k, whole_picture(eye));
+            if (!one_plane_mirror(scene, plan)) continue;
+            hull_of(scene, scene.solids[k], hull);
+            plan.shadow_bounds[j].set(k, shadow_bounds(eye, scene.mirrors[0], scene.lights[j].position, hull));
+        }
+    }
+}
+
 void derive_image_bounds(const Scene& scene, const Viewpoint& eye, Plan& plan) {
     Hull hull;
-    const bool one_plane =
-        scene.mirror_count == 1 && !(magnitude(scene.mirrors[0].curvature_radius) < kInfinity) && !plan.exact_plan;
     for (std::int32_t k = 0; k < scene.solid_count; ++k) {
         const Solid& solid = scene.solids[k];
         plan.image_bounds.set(k, whole_picture(eye));
-        for (std::int32_t j = 0; j < scene.light_count; ++j) plan.shadow_bounds[j].set(k, whole_picture(eye));
-        if (!one_plane) continue;
+        if (!one_plane_mirror(scene, plan)) continue;
         const Mirror& mirror = scene.mirrors[0];
         hull_of(scene, solid, hull);
-        for (std::int32_t j = 0; j < scene.light_count; ++j) {
-            plan.shadow_bounds[j].set(k, shadow_bounds(eye, mirror, scene.lights[j].position, hull));
-            hull_of(scene, solid, hull);
-        }
         const Point n = unit(mirror.normal);
         for (std::int32_t c = 0; c < hull.count; ++c) hull.points[c] = mirrored(hull.points[c], mirror, n);
         const Ball image{mirrored(solid.position, mirror, n), solid.radius};
@@ -198,6 +209,9 @@ void derive_blockers(const Scene& scene, const Surroundings& around, PlanOf<F>& 
 template void derive_bounds(const Scene&, const Viewpoint&, Plan&);
 template void derive_bounds(const Scene&, const Viewpoint&, DoublePlan&);
 template void derive_bounds(const Scene&, const Viewpoint&, FixedPlan&);
+template void derive_shadow_bounds(const Scene&, const Viewpoint&, Plan&);
+template void derive_shadow_bounds(const Scene&, const Viewpoint&, DoublePlan&);
+template void derive_shadow_bounds(const Scene&, const Viewpoint&, FixedPlan&);
 template void derive_blockers(const Scene&, const Surroundings&, Plan&);
 template void derive_blockers(const Scene&, const Surroundings&, DoublePlan&);
 template void derive_blockers(const Scene&, const Surroundings&, FixedPlan&);

@@ -32,7 +32,11 @@ PixelBounds bounds_of_ball(const Viewpoint& eye, const Ball& ball);
 template <class F>
 void derive_bounds(const Scene& scene, const Viewpoint& eye, PlanOf<F>& plan);
 
-/// Fills plan.image_bounds and shadow_bounds.
+/// Fills plan.shadow_bounds.
+template <class F>
+void derive_shadow_bounds(const Scene& scene, const Viewpoint& eye, PlanOf<F>& plan);
+
+/// Fills plan.image_bounds.
 void derive_image_bounds(const Scene& scene, const Viewpoint& eye, Plan& plan);
 
 /// Fills the blockers of solids and mirrors.

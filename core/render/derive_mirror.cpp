@@ -35,6 +35,12 @@ LobeDataOf<F> lobe_of(const Mirror& mirror, const PlanHead& plan, const Constant
     lobe.cosine = to.weight((1 - cull) * (1 - kRoom * kRoom));
     lobe.sine = to.weight(square_root(cull * (2 - cull)) * (1 + kRoom));
     lobe.widest_sine = to.weight(square_root(all * (2 - all)) * (1 + kRoom) + kRoom);
+    if constexpr (F::kFixed) {
+        constexpr double kSteepest = 4;
+        const double sine = square_root(all * (2 - all)) * (1 + kRoom) + kRoom;
+        lobe.cone.narrow = (1 - all) * kSteepest > 1 + kRoom;
+        if (lobe.cone.narrow) lobe.cone = {to.ratio(sine / (1 - all)), to.ratio((1 + kRoom) / (1 - all)), true};
+    }
     return lobe;
 }
 

@@ -2,38 +2,46 @@
 #pragma once
 
 #include "core/render/fixed_tile.hpp"
+#include "core/render/packet.hpp"
 #include "core/render/render.hpp"
 #include "core/render/trace.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
 
 template <class R>
-ZERKALO_INLINE PathPacket<R> no_continuation(const PathPacket<R>& ray) {
+ZERKALO_INLINE PathPacket<R> no_continuation(const PlanFor<R>& plan, const PathPacket<R>& ray) {
     PathPacket<R> next = ray;
     next.active = mask_of<R>(false);
+    next.candidates = all_of(plan);
     next.depth = ray.depth + 1;
     return next;
 }
 
 /// What the rays of one packet see; their continuations go onto the stack, jobs last.
 template <class R>
-ZERKALO_INLINE void trace_one(const PlanFor<R>& plan, const PathPacket<R>& ray, CandidateMask candidates,
-                              Length<R> t_min, const PathKey<R>& key, PathStack<R>& stack, Rgb<LightSum<R>>& sum,
+ZERKALO_INLINE void trace_one(const PlanFor<R>& plan, const TileView& view, const PathPacket<R>& ray, Length<R> t_min,
+                              const PathKey<R>& key, PathStack<R>& stack, Rgb<LightSum<R>>& sum,
                               TileCounts& counts) {
     const bool close = ray.depth == 0 && (plan.features & kFeatureInside) != 0;
-    const AnyHit<R> hit = nearest_anywhere<R>(plan, candidates, ray.o, ray.d, ray.from, ray.active, t_min, close);
+    const AnyHit<R> hit = nearest_anywhere<R>(plan, ray.candidates, ray.o, ray.d, ray.from, ray.active, t_min, close);
     const auto hits = ray.active & (hit.id >= Index<R>(0));
     add<R>(sum, ray.active & (!hits), ray.throughput, spread<Radiance<R>>(plan.background));
     if (none(hits)) return;
-    const PathPacket<R> fresh = no_continuation(ray);
-    Continuations<R> next{fresh, fresh, fresh};
+    const PathPacket<R> fresh = no_continuation(plan, ray);
+    const Vec3<Direction<R>> zero = {Direction<R>(0), Direction<R>(0), Direction<R>(0)};
+    Continuations<R> next{fresh, fresh, fresh, {zero, {zero, zero}, Share<R>(0), mask_of<R>(false)}};
     next.job.is_job = true;
     next.job.sample = 0;
-    shade_solids<R>(plan, ray, hit, candidates, sum, next, counts);
-    shade_mirrors<R>(plan, ray, hit, candidates, key, sum, next, counts);
+    next.job.candidates = 0;
+    shade_solids<R>(plan, ray, hit, sum, next, counts);
+    shade_mirrors<R>(plan, view, ray, hit, key, sum, next, counts);
     if (any(next.two.active)) stack.push(next.two);
     if (any(next.one.active)) stack.push(next.one);
-    if (any(next.job.active)) stack.push(next.job);
+    if (any(next.job.active)) {
+        stack.push(next.job);
+        stack.lobe = next.lobe;
+        stack.lobe.base = tangents_of(next.job.d);
+    }
 }
 
 /// Takes the next packet of rays off the stack: a waiting one, or the next lattice ray of the job on top.
@@ -49,15 +57,15 @@ ZERKALO_INLINE bool next_packet(const PlanFor<R>& plan, PathStack<R>& stack, con
     }
     const std::int32_t s = top.sample++;
     if (top.sample == plan.samples) --stack.count;
-    const auto turn = Phase<R>(phase_of<Uniform<R>>(static_cast<std::uint32_t>(s) * kGoldenTurn)) + key.turn;
-    const auto point = lobe_point(share_point<R>(plan.sampling, s, plan.samples), turn, ray.inverse_exponent);
-    const LobeRay<R> lobe = lobe_ray<R>(point, ray.d, ray.n, ray.max_phong);
+    const LobeJob<R>& job = stack.lobe;
+    const LobePoint<R> point = point_of_job<R>(plan, stack.rows, job, key, s, ray.active);
+    const LobeRay<R> lobe = lobe_ray<R>(point, ray.d, job.base, job.n, job.max_phong);
     PathPacket<R> next = ray;
     next.active = mask_of<R>(false);
     next.is_job = false;
     next.after_lobe = true;
     next.sample = s;
-    go_on_in_lobe<R>(plan, lobe, ray.max_phong, ray.active, ray.o, ray.throughput, ray.from.id, next, sum, counts);
+    go_on_in_lobe<R>(plan, lobe, job.max_phong, ray.active, ray.o, ray.throughput, ray.from.id, next, sum, counts);
     ray = next;
     return any(ray.active);
 }
@@ -68,20 +76,14 @@ ZERKALO_INLINE Rgb<LightSum<R>> trace_packet(const PlanFor<R>& plan, const TileV
                                              Mask<R> active, const PathKey<R>& key, PathStack<R>& stack,
                                              TileCounts& counts) {
     using W = Weight<R>;
-    const Vec3<Direction<R>> zero = {Direction<R>(0), Direction<R>(0), Direction<R>(0)};
     Rgb<LightSum<R>> sum{LightSum<R>(0), LightSum<R>(0), LightSum<R>(0)};
-    const CandidateMask everything =
-        first_bits(plan.solid_count) | first_bits(plan.mirror_count) << kMaxSolids;
     const Departure<R> from = departure_of_camera<R>(plan.camera, camera.d);
     stack.count = 0;
-    stack.push(PathPacket<R>{camera.o, camera.d, {W(1), W(1), W(1)}, from, active, 0, false, false, 0, zero,
-                             Share<R>(0), mask_of<R>(false)});
+    stack.push(PathPacket<R>{camera.o, camera.d, {W(1), W(1), W(1)}, from, active, view.seen, 0, false, false, 0});
     while (stack.count > 0) {
         PathPacket<R> ray;
         if (!next_packet<R>(plan, stack, key, ray, sum, counts)) continue;
-        const bool from_camera = ray.depth == 0;
-        trace_one<R>(plan, ray, from_camera ? view.seen : everything, from_camera ? camera.t_min : Length<R>(0), key,
-                     stack, sum, counts);
+        trace_one<R>(plan, view, ray, ray.depth == 0 ? camera.t_min : Length<R>(0), key, stack, sum, counts);
     }
     return sum;
 }
@@ -91,14 +93,19 @@ ZERKALO_INLINE PathKey<R> path_key(const PlanFor<R>& plan, const Rect& tile, int
     alignas(64) Phase<Uniform<R>> turns[kWidth<R>];
     alignas(64) std::uint32_t pixels[kWidth<R>];
     const LatticeClasses classes = lattice_classes(tile_hash(plan, tile));
+    PathKey<R> key;
     for (int lane = 0; lane < kWidth<R>; ++lane) {
         const int x = (first + lane) % kTileSide, y = (first + lane) / kTileSide;
-        turns[lane] = phase_of<Uniform<R>>(
-            phase_of_class(plan.sampling, class_of_pixel(classes, first + lane), camera_sample));
+        const int lattice_class = class_of_pixel(classes, first + lane);
+        key.lattice_class[lane] = static_cast<std::uint8_t>(lattice_class);
+        turns[lane] = phase_of<Uniform<R>>(phase_of_class(plan.sampling, lattice_class, camera_sample));
         pixels[lane] = static_cast<std::uint32_t>(tile.top + y) * static_cast<std::uint32_t>(plan.width) +
                        static_cast<std::uint32_t>(tile.left + x);
     }
-    return {load_bits<R>(pixels), camera_sample, load_phases<R>(turns)};
+    key.pixel = load_bits<R>(pixels);
+    key.camera_sample = camera_sample;
+    key.turn = load_phases<R>(turns);
+    return key;
 }
 
 /// Renders one tile of any scene. R: the lanes, or the fixed-point system.

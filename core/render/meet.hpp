@@ -115,11 +115,26 @@ ZERKALO_INLINE MirrorHit<System<R>> plane_or_curved(const MirrorPlanFor<R>& mirr
 
 /// Lanes whose ray comes near the solid's bounding sphere. Conservative: without the others nothing is missed.
 template <class R>
-ZERKALO_INLINE Mask<R> may_meet(const SolidPlanFor<R>& solid, Vec3<Length<R>> o, Vec3<Direction<R>> d, Mask<R> active) {
-    using L = Length<R>;
-    const Vec3<L> f = o - solid.bound_centre;
-    const Vec3<L> l = f - as<L>(d * as<L>(dot(f, d)));
-    return active & (dot(l, l) <= Area<R>(solid.bound_radius * solid.bound_radius));
+    requires(!Formats<R>::kFixed)
+ZERKALO_INLINE Mask<R> may_meet(const SolidPlanFor<R>& solid, Vec3<R> o, Vec3<R> d, Mask<R> active) {
+    const Vec3<R> f = o - solid.bound_centre;
+    const Vec3<R> l = f - d * dot(f, d);
+    return active & (dot(l, l) <= solid.bound_radius * solid.bound_radius);
+}
+
+/// Room for the rounding of squares of lengths up to 15 and of unit directions.
+template <class R>
+constexpr auto kSquareRoom = Area<Uniform<R>>::from_raw(std::int64_t{1} << 35);
+
+/// The same in fixed point, where |f|^2 - (f.d)^2 keeps its digits. The origins are points, or one that all lanes share.
+template <class R, class A>
+    requires(Formats<R>::kFixed)
+ZERKALO_INLINE Mask<R> may_meet(const SolidPlanFor<R>& solid, Vec3<Fixed<A, Length<R>::kFraction>> o,
+                                Vec3<Direction<R>> d, Mask<R> active) {
+    const auto f = o - solid.bound_centre;
+    const auto along = as<Length<R>>(dot(f, d));
+    const auto beyond = dot(f, f) - (solid.bound_radius * solid.bound_radius + kSquareRoom<R>);
+    return active & (along * along >= beyond);
 }
 
 /// n, turned against d. At exactly 0 either side is right.

@@ -63,7 +63,8 @@ struct SolidPlanOf {
 };
 using SolidPlan = SolidPlanOf<FloatFormats>;
 
-/// What only the kernels for at most one bounce read of a mirror, a light, a plan: they exist in float alone.
+/// What only the kernels for at most one bounce read of a mirror, a light, a plan. They exist in float alone; of it the
+/// fixed-point kernel reads the shadows.
 template <class F>
 struct OneBounceMirror {};
 template <>
@@ -176,8 +177,7 @@ struct OneBouncePlan<FloatFormats> {
     TileCorners tile_corners;
     SharedOrigin camera_origin;
     BoundTable bounds;
-    PixelBoundsTable<kMaxSolids> image_bounds;               // of the solids' images behind the only, plane mirror
-    PixelBoundsTable<kMaxSolids> shadow_bounds[kMaxLights];  // of the solids' shadows on it
+    PixelBoundsTable<kMaxSolids> image_bounds;  // of the solids' images behind the only, plane mirror
 };
 
 /// What a plan tells whoever runs its tiles.
@@ -205,6 +205,7 @@ struct PlanOf : PlanHead, OneBouncePlan<F> {
     // Culling. Bit k of a mask is solid k, bit kMaxSolids + k is mirror k.
     PixelBoundsTable<kMaxSolids, typename F::PixelBound> solid_bounds;
     PixelBoundsTable<kWidestLane, typename F::PixelBound> mirror_bounds;
+    PixelBoundsTable<kMaxSolids, typename F::PixelBound> shadow_bounds[kMaxLights];  // on the only, plane mirror
 };
 using Plan = PlanOf<FloatFormats>;
 using FixedPlan = PlanOf<FixedFormats>;

@@ -206,6 +206,7 @@ Status derive_plan(const Scene& scene, const Surroundings& around, const Viewpoi
     derive_standing(scene, to, plan);
     derive_bounds(scene, eye, plan);
     derive_blockers(scene, around, plan);
+    derive_shadow_bounds(scene, eye, plan);
     derive_planes(scene, plan);
     derive_features(scene, to, plan);
     if ((plan.features & kFeatureBranch) && plan.depth_limit > kMaxBranchDepth) {

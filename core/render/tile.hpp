@@ -49,6 +49,15 @@ ZERKALO_INLINE CandidateMask seen_by_tile(const PlanOf<F>& plan, const Rect& til
            overlapping<R>(plan.mirror_bounds, plan.mirror_count, tile) << kMaxSolids;
 }
 
+/// What can shade the part of the only, plane mirror that the tile sees.
+template <class R, class F>
+ZERKALO_INLINE void fill_blockers(Blockers& blockers, const PlanOf<F>& plan, const Rect& tile) {
+    for (std::int32_t j = 0; j < plan.light_count; ++j) {
+        const CandidateMask shadows = overlapping<R>(plan.shadow_bounds[j], plan.solid_count, tile);
+        blockers.of_light[j] = plan.mirrors[0].blockers.of_light[j] & (shadows | ~CandidateMask{0xffffffffu});
+    }
+}
+
 template <class R>
 ZERKALO_INLINE TileView view_of_tile(const Plan& plan, const Rect& tile) {
     TileView view;
@@ -57,11 +66,7 @@ ZERKALO_INLINE TileView view_of_tile(const Plan& plan, const Rect& tile) {
     view.in_lobe = 0;
     if (mirrors_in(view.seen) == 0) return view;
     view.in_mirror = overlapping<R>(plan.image_bounds, plan.solid_count, tile);
-    for (std::int32_t j = 0; j < plan.light_count; ++j) {
-        const CandidateMask shadows = overlapping<R>(plan.shadow_bounds[j], plan.solid_count, tile);
-        view.mirror_blockers.of_light[j] =
-            plan.mirrors[0].blockers.of_light[j] & (shadows | ~CandidateMask{0xffffffffu});
-    }
+    fill_blockers<R>(view.mirror_blockers, plan, tile);
     return view;
 }
 
@@ -70,6 +75,7 @@ template <class R, class F>
 ZERKALO_INLINE TileView view_of_tile(const PlanOf<F>& plan, const Rect& tile) {
     TileView view{};
     view.seen = seen_by_tile<R>(plan, tile);
+    if (mirrors_in(view.seen) != 0) fill_blockers<R>(view.mirror_blockers, plan, tile);
     return view;
 }
 

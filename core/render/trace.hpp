@@ -11,12 +11,12 @@
 #pragma once
 
 #include "core/optics/fresnel.hpp"
-#include "core/render/anywhere.hpp"
-#include "core/render/lobe_aim.hpp"
+#include "core/render/lobe_job.hpp"
+#include "core/render/tile.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
 
-/// A packet of rays on their way, or a lobe job: then d is the mirror direction and n the mirror's normal.
+/// A packet of rays on their way, or a lobe job: then d is the mirror direction.
 template <class R>
 struct PathPacket {
     Vec3<Length<R>> o;
@@ -24,13 +24,11 @@ struct PathPacket {
     Rgb<Weight<R>> throughput;
     Departure<R> from;
     Mask<R> active;
+    CandidateMask candidates;  // all that the rays can meet
     std::int32_t depth;
     std::uint8_t after_lobe;  // the path has met an unpolished mirror
     std::uint8_t is_job;
-    std::int32_t sample;   // index of the lattice ray; of a job: its next one
-    Vec3<Direction<R>> n;  // jobs only, as the next two
-    Share<R> inverse_exponent;
-    Mask<R> max_phong;
+    std::int32_t sample;  // index of the lattice ray; of a job: its next one
 };
 
 constexpr int kStackCapacity = kMaxBranchDepth + 2;
@@ -38,29 +36,22 @@ constexpr int kStackCapacity = kMaxBranchDepth + 2;
 template <class R>
 struct PathStack {
     PathPacket<R> packets[kStackCapacity];
+    LobeJob<R> lobe;  // of the only job
+    LobeRows<R> rows;
     int count = 0;
 
     ZERKALO_INLINE void push(const PathPacket<R>& packet) { packets[count++] = packet; }
-};
-
-/// What identifies a camera path: its pixel, the camera sample, the turns of its lattice.
-template <class R>
-struct PathKey {
-    Bits<R> pixel;
-    std::uint32_t camera_sample;
-    Phase<R> turn;
 };
 
 /// Continuations of the packet that is being shaded, filled surface by surface.
 template <class R>
 struct Continuations {
     PathPacket<R> one, two, job;
+    LobeJob<R> lobe;
 };
 
 template <class R>
 using SurfaceFor = SurfaceDataOf<Formats<R>>;
-template <class R>
-using LobeFor = LobeDataOf<Formats<R>>;
 
 template <class R>
 ZERKALO_ONCE Rgb<Radiance<R>> local_light_anywhere(const PlanFor<R>& plan, Vec3<Length<R>> p, Vec3<Direction<R>> n,
@@ -153,8 +144,8 @@ ZERKALO_INLINE void continue_at_solid(const PathPacket<R>& ray, const SolidPlanF
 /// Local light of every solid that the packet has met, and where its rays go on.
 template <class R>
 ZERKALO_INLINE void shade_solids(const PlanFor<R>& plan, const PathPacket<R>& ray, const AnyHit<R>& hit,
-                                 CandidateMask candidates, Rgb<LightSum<R>>& sum, Continuations<R>& next, TileCounts& counts) {
-    for (CandidateMask left = solids_in(candidates); left != 0; left &= left - 1) {
+                                 Rgb<LightSum<R>>& sum, Continuations<R>& next, TileCounts& counts) {
+    for (CandidateMask left = solids_in(ray.candidates); left != 0; left &= left - 1) {
         const int k = first_of(left);
         const SolidPlanFor<R>& solid = plan.solids[k];
         const auto here = ray.active & (hit.id == Index<R>(solid.id));
@@ -172,26 +163,6 @@ ZERKALO_INLINE void shade_solids(const PlanFor<R>& plan, const PathPacket<R>& ra
             continue_at_solid<R>(ray, solid, p, n, spot, here, next, counts);
         }
     }
-}
-
-/// One lobe ray: direction in the lobe's frame turned into the world; what it weighs; what goes below the horizon.
-template <class R>
-struct LobeRay {
-    Vec3<Direction<R>> d;
-    Weight<R> weight;
-    Mask<R> above;
-};
-
-template <class R>
-ZERKALO_INLINE LobeRay<R> lobe_ray(const LobePoint<R>& point, Vec3<Direction<R>> m, Vec3<Direction<R>> n,
-                                   Mask<R> max_phong) {
-    using D = Direction<R>;
-    using W = Weight<R>;
-    const Tangents<D> base = tangents_of(m);
-    const Vec3<D> d = as<D>(m * point.forward + base.t * point.side + base.b * point.up);
-    const W cosine = as<W>(dot(d, n));
-    const W weight = select(max_phong, lobe_weight_of(cosine, as<W>(dot(m, n))), W(1));
-    return {d, weight, Mask<R>(cosine > W(0))};
 }
 
 /// A single random ray of a lobe, for unpolished mirrors behind the first: uniform in energy, from the path's key.
@@ -232,23 +203,29 @@ ZERKALO_INLINE void continue_at_mirror(const PlanFor<R>& plan, const PathPacket<
         counts.reflected += count_of(front);
         go_on<R>(next.one, front, p, d, throughput, spot);
     } else if (ray.after_lobe) {
-        const LobeRay<R> one = lobe_ray<R>(random_lobe_point<R>(plan.sampling, lobe, key, ray), d, n, max_phong);
+        const LobePoint<R> point = random_lobe_point<R>(plan.sampling, lobe, key, ray);
+        const LobeRay<R> one = lobe_ray<R>(point, d, tangents_of(d), n, max_phong);
         go_on_in_lobe<R>(plan, one, max_phong, front, p, throughput, spot.id, next.one, sum, counts);
     } else {
-        go_on<R>(next.job, front, p, d, as<W>(scaled(throughput, one_part_of<R>(plan.samples))), spot);
-        next.job.n = select(front, n, next.job.n);
-        next.job.inverse_exponent = select(front, Share<R>(lobe.inverse_exponent), next.job.inverse_exponent);
-        next.job.max_phong = select(front, max_phong, next.job.max_phong);
+        const Rgb<W> part = as<W>(scaled(throughput, one_part_of<R>(plan.samples)));
+        CandidateMask candidates;
+        const Mask<R> sending = lanes_with_rays<R>(plan, lobe, p, d, part, front, candidates, sum);
+        if (none(sending)) return;
+        next.job.candidates |= candidates;
+        go_on<R>(next.job, sending, p, d, part, spot);
+        next.lobe.n = select(sending, n, next.lobe.n);
+        next.lobe.inverse_exponent = select(sending, Share<R>(lobe.inverse_exponent), next.lobe.inverse_exponent);
+        next.lobe.max_phong = select(sending, max_phong, next.lobe.max_phong);
     }
 }
 
 /// Local light of every mirror that the packet has met; where its rays go on; the lobe job that it starts.
 template <class R>
-ZERKALO_INLINE void shade_mirrors(const PlanFor<R>& plan, const PathPacket<R>& ray, const AnyHit<R>& hit,
-                                  CandidateMask candidates, const PathKey<R>& key, Rgb<LightSum<R>>& sum,
+ZERKALO_INLINE void shade_mirrors(const PlanFor<R>& plan, const TileView& view, const PathPacket<R>& ray,
+                                  const AnyHit<R>& hit, const PathKey<R>& key, Rgb<LightSum<R>>& sum,
                                   Continuations<R>& next, TileCounts& counts) {
     using D = Direction<R>;
-    for (CandidateMask left = mirrors_in(candidates); left != 0; left &= left - 1) {
+    for (CandidateMask left = mirrors_in(ray.candidates); left != 0; left &= left - 1) {
         const int m = first_of(left);
         const MirrorPlanFor<R>& mirror = plan.mirrors[m];
         const auto id = index_of<R>(kMaxSolids + m);
@@ -260,12 +237,14 @@ ZERKALO_INLINE void shade_mirrors(const PlanFor<R>& plan, const PathPacket<R>& r
         const auto front = here & (along < Square<R>(0));
         const Vec3<D> n = select(front, outward, -outward);
         const Departure<R> spot{id, Index<R>(0), mask_of<R>(false)};
+        const bool of_tile = Formats<R>::kFixed && ray.depth == 0 && plan.mirror_count == 1;
+        const Blockers& blockers = of_tile ? view.mirror_blockers : mirror.blockers;
         for (int side = 0; side < 2; ++side) {
             const Mask<R> seen = side == 0 ? Mask<R>(front) : Mask<R>(here & (!front));
             if (none(seen)) continue;
             const SurfaceFor<R>& surface = side == 0 ? mirror.front : mirror.back;
             add<R>(sum, seen, ray.throughput,
-                local_light_anywhere<R>(plan, p, n, ray.d, spot, seen, surface, plan.mirrors[m].blockers, 0, counts));
+                local_light_anywhere<R>(plan, p, n, ray.d, spot, seen, surface, blockers, 0, counts));
         }
         if (mirror.reflects && ray.depth < plan.depth_limit && any(front)) {
             continue_at_mirror<R>(plan, ray, mirror, p, n, spot, front, key, sum, next, counts);

@@ -17,6 +17,9 @@ constexpr CandidateMask mirrors_in(CandidateMask mask) { return mask >> kMaxSoli
 constexpr CandidateMask first_bits(std::int32_t count) {
     return count < 64 ? (CandidateMask{1} << count) - 1 : ~CandidateMask{0};
 }
+constexpr CandidateMask all_of(const PlanHead& plan) {
+    return first_bits(plan.solid_count) | first_bits(plan.mirror_count) << kMaxSolids;
+}
 ZERKALO_INLINE int first_of(CandidateMask mask) { return __builtin_ctzll(mask); }
 
 /// The nearest solid of each lane. t is infinite and id -1 where there is none.

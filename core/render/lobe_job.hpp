@@ -1,0 +1,174 @@
+// The lobe of the first unpolished mirror of a path: which pixels of a packet send rays at all, where each ray goes.
+//
+// In fixed point sums are exact, so a pixel whose whole lobe passes every surface has its closed form to the last bit:
+// as many times the background as there are rays. And a lattice ray depends on the pixel by its class alone, so a tile
+// makes each ray once for the four classes.
+#pragma once
+
+#include "core/optics/lattice.hpp"
+#include "core/render/anywhere.hpp"
+
+namespace zerkalo::inline ZERKALO_ISA {
+
+template <class R>
+using LobeFor = LobeDataOf<Formats<R>>;
+
+/// What the lobe rays of a packet share: the mirror's normal, and the lobe about the mirror direction.
+template <class R>
+struct LobeJob {
+    Vec3<Direction<R>> n;
+    Tangents<Direction<R>> base;  // across the mirror direction
+    Share<R> inverse_exponent;
+    Mask<R> max_phong;
+};
+
+/// One lobe ray: direction in the lobe's frame turned into the world; what it weighs; what goes below the horizon.
+template <class R>
+struct LobeRay {
+    Vec3<Direction<R>> d;
+    Weight<R> weight;
+    Mask<R> above;
+};
+
+/// `base`: tangents_of(m).
+template <class R>
+ZERKALO_INLINE LobeRay<R> lobe_ray(const LobePoint<R>& point, Vec3<Direction<R>> m,
+                                   const Tangents<Direction<R>>& base, Vec3<Direction<R>> n, Mask<R> max_phong) {
+    using D = Direction<R>;
+    using W = Weight<R>;
+    const Vec3<D> d = as<D>(m * point.forward + base.t * point.side + base.b * point.up);
+    const W cosine = as<W>(dot(d, n));
+    W weight = W(1);
+    if (any(max_phong)) weight = select(max_phong, lobe_weight_of(cosine, as<W>(dot(m, n))), W(1));
+    return {d, weight, Mask<R>(cosine > W(0))};
+}
+
+/// What identifies a camera path: its pixel, the camera sample, the turns of its lattice and their classes.
+template <class R>
+struct PathKey {
+    Bits<R> pixel;
+    std::uint32_t camera_sample;
+    Phase<R> turn;
+    std::uint8_t lattice_class[kWidth<R>];
+};
+
+/// Lattice rays of a tile in fixed point, each for all classes; made when they are first needed.
+template <class R>
+struct LobeRows {};
+template <class R>
+    requires(Formats<R>::kFixed)
+struct LobeRows<R> {
+    using One = Uniform<R>;
+    struct Row {
+        std::int32_t sample = -1;
+        std::uint32_t camera_sample = 0;
+        Share<One> inverse_exponent{};
+        Direction<One> forward{}, side[kLatticeClasses]{}, up[kLatticeClasses]{};
+    };
+    Row rows[kChunk];
+};
+
+/// Phase of lattice ray s before the turn of its pixel.
+template <class R>
+ZERKALO_INLINE Phase<Uniform<R>> phase_of_sample(std::int32_t s) {
+    return phase_of<Uniform<R>>(static_cast<std::uint32_t>(s) * kGoldenTurn);
+}
+
+template <class R>
+ZERKALO_ONCE void fill_row(typename LobeRows<R>::Row& row, const PlanHead& plan, std::int32_t s,
+                           std::uint32_t camera_sample, Share<Uniform<R>> inverse_exponent) {
+    using One = Uniform<R>;
+    row.sample = s;
+    row.camera_sample = camera_sample;
+    row.inverse_exponent = inverse_exponent;
+    const LobePolar<One> polar = lobe_polar(share_point<One>(plan.sampling, s, plan.samples), inverse_exponent);
+    for (int c = 0; c < kLatticeClasses; ++c) {
+        const auto turn = phase_of_sample<One>(s) + phase_of<One>(phase_of_class(plan.sampling, c, camera_sample));
+        const LobePoint<One> point = at_azimuth(polar, turn);
+        row.forward = point.forward, row.side[c] = point.side, row.up[c] = point.up;
+    }
+}
+
+/// The inverse exponent of the first active lane.
+template <class R>
+ZERKALO_INLINE Share<Uniform<R>> first_exponent(const LobeJob<R>& job, Mask<R> active) {
+    int lane = 0;
+    while (!(bits_of(active) >> lane & 1)) ++lane;
+    return with_fraction<Share<R>::kFraction>(lane_of(job.inverse_exponent.raw, lane));
+}
+
+/// Ray s of the job, in the lobe's frame.
+template <class R>
+ZERKALO_INLINE LobePoint<R> point_of_job(const PlanFor<R>& plan, LobeRows<R>& rows, const LobeJob<R>& job,
+                                         const PathKey<R>& key, std::int32_t s, Mask<R> active) {
+    if constexpr (Formats<R>::kFixed) {
+        const auto exponent = first_exponent<R>(job, active);
+        if (none(active & (job.inverse_exponent != exponent))) {
+            auto& row = rows.rows[s % kChunk];
+            if (row.sample != s || row.camera_sample != key.camera_sample || row.inverse_exponent != exponent) {
+                fill_row<R>(row, plan, s, key.camera_sample, exponent);
+            }
+            LobePoint<R> point{Direction<R>(0), Direction<R>(0), row.forward};
+            for (int k = 0; k < kWidth<R>; ++k) {
+                set_lane(point.side.raw, k, row.side[key.lattice_class[k]].raw);
+                set_lane(point.up.raw, k, row.up[key.lattice_class[k]].raw);
+            }
+            return point;
+        }
+    }
+    return lobe_point(share_point<R>(plan.sampling, s, plan.samples), Phase<R>(phase_of_sample<R>(s)) + key.turn,
+                      job.inverse_exponent);
+}
+
+/// Lanes whose lobe, the cone about m that holds all its rays, can come near the solid's bounding ball: the ball's signed
+/// distance to the cone's side is  across cos - along sin. Compared squared and divided by the cosine.
+template <class R>
+ZERKALO_INLINE Mask<R> cone_may_meet(const SolidPlanFor<R>& solid, const LobeFor<R>& lobe, Vec3<Length<R>> p,
+                                     Vec3<Direction<R>> m) {
+    using L = Length<R>;
+    using One = Uniform<R>;
+    // Room for the rounding of a few products of lengths up to 15.
+    constexpr auto kRoom = Length<One>::from_raw(1 << 8);
+    const Vec3<L> f = solid.bound_centre - p;
+    const L along = as<L>(dot(f, m));
+    const L reach = as<L>(along * lobe.cone.tangent) + L(as<Length<One>>(solid.bound_radius * lobe.cone.secant) + kRoom);
+    return (reach >= L(0)) & (dot(f, f) - along * along <= reach * reach + Area<R>(kSquareRoom<R>));
+}
+
+/// Which lanes of `front` must send their lobe's rays, and what these can meet; the others see the background alone,
+/// which is added to the sum. `throughput`: of one ray.
+template <class R>
+ZERKALO_INLINE Mask<R> lanes_with_rays(const PlanFor<R>& plan, const LobeFor<R>& lobe, Vec3<Length<R>> p,
+                                       Vec3<Direction<R>> m, Rgb<Weight<R>> throughput, Mask<R> front,
+                                       CandidateMask& candidates, Rgb<LightSum<R>>& sum) {
+    candidates = all_of(plan);
+    if constexpr (!Formats<R>::kFixed) {
+        return front;
+    } else {
+        if (plan.exact_plan || !lobe.cone.narrow) return front;
+        const CandidateMask solids = solids_in(candidates);
+        // The only mirror, if it is plane, meets none of its own rays.
+        const bool alone = plan.mirror_count == 1 && !plan.mirrors[0].curved;
+        candidates = alone ? 0 : candidates - solids;
+        auto reached = mask_of<R>(false);
+        for (CandidateMask left = solids; left != 0; left &= left - 1) {
+            const int k = first_of(left);
+            const auto here = front & cone_may_meet<R>(plan.solids[k], lobe, p, m);
+            if (none(here)) continue;
+            candidates |= CandidateMask{1} << k;
+            reached = reached | here;
+        }
+        // What the rays of max-Phong weigh depends on the pixel.
+        if (!alone || lobe.max_phong) return front;
+        const auto empty = front & (!reached);
+        if (any(empty)) {
+            const Rgb<LightSum<R>> light = throughput * spread<Radiance<R>>(plan.background);
+            const std::int32_t n = plan.samples;
+            const Rgb<LightSum<R>> all{times(light.r, n), times(light.g, n), times(light.b, n)};
+            sum = select(empty, sum + all, sum);
+        }
+        return reached;
+    }
+}
+
+}  // namespace zerkalo::inline ZERKALO_ISA
