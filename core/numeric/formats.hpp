@@ -1,5 +1,5 @@
-// The numbers of the plan as plain data: float, double, or fixed-point formats. Outside of the instruction sets' namespaces, so
-// that all kernels read one plan; the arithmetic is theirs (number.hpp, fixed.hpp).
+// The numbers of the plan as plain data: float, double, or fixed-point formats. Outside of the instruction sets'
+// namespaces, so that all kernels read one plan; the arithmetic is theirs (number.hpp, fixed.hpp).
 #pragma once
 
 #include "core/numeric/isa.hpp"

@@ -1,6 +1,6 @@
 // Number systems: which type holds a length, a direction, an area. Formulas are written once over a system N.
 //
-// In a floating-point system all of them are the same lane type and the conversions below do nothing. In a fixed-point system
+// In a system of floats all of them are the same lane type and the conversions below do nothing. In a fixed-point system
 // they are formats (Q4.27, Q1.30, 64-bit products), a product changes the format, and `as<To>` is where it is rounded.
 // The kernels' templates call their system R: lanes of float, double, or a FixedNumbers<W>.
 #pragma once

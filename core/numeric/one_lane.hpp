@@ -103,7 +103,9 @@ ZERKALO_INLINE R absolute(R a) {
 }
 
 constexpr std::uint64_t kSignOfDouble = std::uint64_t{1} << 63;
-ZERKALO_INLINE double flip_sign(double a, double sign) { return from_bits(to_bits(a) ^ (to_bits(sign) & kSignOfDouble)); }
+ZERKALO_INLINE double flip_sign(double a, double sign) {
+    return from_bits(to_bits(a) ^ (to_bits(sign) & kSignOfDouble));
+}
 ZERKALO_INLINE std::uint64_t opposite_sign(double a) { return (to_bits(a) & kSignOfDouble) ^ kSignOfDouble; }
 ZERKALO_INLINE double absolute(double a) { return from_bits(to_bits(a) & ~kSignOfDouble); }
 

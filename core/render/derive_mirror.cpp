@@ -97,7 +97,8 @@ LightDataOf<F> derive_light(const Light& light, const Constants<F>& to) {
     const double brightest = larger(rounded.r, larger(rounded.g, rounded.b));
     out.falloff_limit = to.inverse(brightest > 0 ? double{kBrightest} / brightest : kInfinity);
     // (1 - x)^n <= e^(-n x): beyond this n x the highlight is below the least share of full brightness.
-    out.highlight_limit = to.exponent(out.inverse_square ? kInfinity : natural_log(larger(1, brightest) / F::kLeastShare));
+    const double faint = natural_log(larger(1, brightest) / F::kLeastShare);
+    out.highlight_limit = to.exponent(out.inverse_square ? kInfinity : faint);
     return out;
 }
 

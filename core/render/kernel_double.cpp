@@ -1,5 +1,5 @@
-// The general kernel in double, one lane: the same for every instruction set. It names itself, so that a program without
-// double does not link it.
+// The general kernel in double, one lane: the same for every instruction set. It has no place in a table, so that a
+// program without double does not link it.
 #include "core/numeric/float_mode.hpp"
 #include "core/render/general.hpp"
 

@@ -17,7 +17,8 @@ struct TileView {
 
 /// Bit k: the bounds of object k share a pixel with the tile.
 template <class R, int n>
-ZERKALO_INLINE CandidateMask overlapping(const PixelBoundsTable<n, UniformReal<R>>& bounds, std::int32_t count, const Rect& tile) {
+ZERKALO_INLINE CandidateMask overlapping(const PixelBoundsTable<n, UniformReal<R>>& bounds, std::int32_t count,
+                                         const Rect& tile) {
     const R left = R(float(tile.left)), right = R(float(tile.left + tile.width));
     const R top = R(float(tile.top)), bottom = R(float(tile.top + tile.height));
     CandidateMask mask = 0;
@@ -126,7 +127,8 @@ ZERKALO_INLINE void write_whole_row(const FloatingColours<T>& colours, int first
 
 /// Writes the tile's part of the picture from rows that lie `step` apart.
 template <class R, class T>
-ZERKALO_INLINE void write_rows(const FloatingColours<T>& colours, int step, const Rect& tile, const LinearImage& image) {
+ZERKALO_INLINE void write_rows(const FloatingColours<T>& colours, int step, const Rect& tile,
+                               const LinearImage& image) {
     float* out = image.row(tile.top) + 3 * tile.left;
     const std::int32_t height = tile.height;
     if (tile.width == kTileSide) {

@@ -106,7 +106,8 @@ class Render(CommandLineTest):
                     self.assertEqual((report["number"], report["lanes"], report["isa"]), ("double", 1, isa["name"]))
                     hashes.add(report["hash"])
         self.assertEqual(len(hashes), 1, hashes)
-        doubles = [value for row in read_pfm((self.files / "d.pfm").read_bytes())[2] for pixel in row for value in pixel]
+        rows = read_pfm((self.files / "d.pfm").read_bytes())[2]
+        doubles = [value for row in rows for pixel in row for value in pixel]
         apart = sorted(abs(a - b) for a, b in zip(floats, doubles, strict=True))
         self.assertGreater(apart[-1], 0, "nothing of float's rounding is left in the picture")
         # One pixel in a thousand may see another surface.

@@ -15,7 +15,8 @@ constexpr int kPictureCount = 3;
 const char* name_of(Picture picture);
 
 /// Renders every picture with every instruction set of this CPU and in double, and gives write() one line for each:
-/// "<picture> <isa> <hash as 16 hex digits>", or "<picture>.double scalar <hash>". False when prepare() refuses a picture or two hashes of one differ.
+/// "<picture> <isa> <hash as 16 hex digits>", or "<picture>.double scalar <hash>". False when prepare() refuses a picture
+/// or two hashes of one differ.
 bool render_all(void (*write)(const char* line));
 
 }  // namespace zerkalo::pictures
