@@ -69,6 +69,7 @@ TEST(StudyRegions, AnImageInTheMirrorHasAnOutlineToo) {
     Scene scene = staged();
     scene.camera.position = {1.5, 0, 1};
     scene.camera.view = {-1.5, 0, -3};
+    scene.mirrors[0].lobe_exponent = 20000;
     const Regions regions = regions_of_scene(scene);
     const Mask &silhouettes = mask_of(regions, Region::silhouettes), &mirror = mask_of(regions, Region::mirror);
     const Mask &edges = mask_of(regions, Region::edges), &smooth = mask_of(regions, Region::smooth);
