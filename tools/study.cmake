@@ -1,6 +1,7 @@
 # Error against run time: what `zerkalo study` does. Compiled once for both programs and for its tests.
 add_library(zerkalo_study OBJECT
   study/error_figures.cpp
+  study/join.cpp
   study/journal.cpp
   study/light_picture.cpp
   study/plan.cpp

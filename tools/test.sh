@@ -9,7 +9,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 packages=(g++ clang-14 libclang-rt-14-dev cmake ninja-build binutils python3 libxsimd-dev libtomlplusplus-dev libcli11-dev libbenchmark-dev
-          libpng-dev libgtest-dev qemu-system-x86)
+          libpng-dev libgtest-dev qemu-system-x86 gnuplot-nox parallel)
 arm_packages=(g++-aarch64-linux-gnu binutils-aarch64-linux-gnu qemu-user googletest)
 
 total=0

@@ -10,12 +10,14 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <sstream>
 #include <unistd.h>
 
 namespace zerkalo::study {
 namespace {
 
 constexpr const char* kPlanVersion = "zerkalo study plan 1";
+const std::string kRowWord = "row ";
 
 struct SceneSpec {
     std::string path, name;
@@ -97,7 +99,8 @@ std::string text_of(const StudyPlan& plan) {
         text += "scene " + csv_cell(scene.name) + " " + mark_of(scene, wish.size) + "\n";
     }
     for (const std::string& refusal : plan.refusals) text += "without " + refusal + "\n";
-    return text + "rows " + std::to_string(plan.rows.size()) + "\n";
+    for (const Setting& setting : plan.rows) text += kRowWord + key_of(plan, setting) + "\n";
+    return text;
 }
 
 void add_rows(StudyPlan& plan, int scene, Number number) {
@@ -145,6 +148,15 @@ std::string key_of(const StudyPlan& plan, const Setting& setting) {
     row.antialias = setting.antialias;
     row.samples = setting.samples;
     return key_of(row);
+}
+
+std::vector<std::string> keys_of(const std::string& plan_text) {
+    std::vector<std::string> keys;
+    std::istringstream lines(plan_text);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.compare(0, kRowWord.size(), kRowWord) == 0) keys.push_back(line.substr(kRowWord.size()));
+    }
+    return keys;
 }
 
 StudyPlan plan_of(const Wish& wish) {

@@ -46,6 +46,9 @@ struct StudyPlan {
 /// The key that the row of `setting` will have: key_of(Row).
 std::string key_of(const StudyPlan& plan, const Setting& setting);
 
+/// The keys of all rows of a plan from its text, in order.
+std::vector<std::string> keys_of(const std::string& plan_text);
+
 /// Reads the scenes and lists the rows. Throws Failure: io_failed and scene_invalid as read_scene() does;
 /// scene_invalid also when the renderer refuses the scene; usage for two scenes of one name and for a scene without
 /// an unpolished mirror.

@@ -32,7 +32,7 @@ int median_interval_rank(int n);
 /// The median with that interval. Precondition: at least one value.
 Estimate median_with_interval(std::vector<double> values);
 
-/// The 0.975 quantile of Student's t distribution with `degrees` >= 1 degrees of freedom, to four digits.
+/// The 0.975 quantile of Student's t distribution with `degrees` >= 1 degrees of freedom, to 2e-4.
 double student_quantile(int degrees);
 
 /// Least squares slope of log y over log x with its 95 % interval (normal residuals). All NaN with fewer than three

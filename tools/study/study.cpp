@@ -1,5 +1,6 @@
 #include "tools/study/study.hpp"
 
+#include "tools/study/join.hpp"
 #include "tools/study/journal.hpp"
 #include "tools/study/results.hpp"
 #include "tools/zerkalo/failure.hpp"
@@ -94,6 +95,17 @@ void run_study(const StudyPlan& plan, const StudyOptions& options) {
         give_up(options, journal.rows().size(), settings.size());
     }
     if (options.shard.of == 1) write_results(options.folder, plan.text, in_plan_order(plan, journal.rows()));
+}
+
+void join_study(const std::vector<std::string>& folders, const StudyOptions& options) {
+    const Joined all = joined(folders);
+    Journal journal(options.folder, all.plan_text);
+    std::set<std::string> there;
+    for (const Row& row : journal.rows()) there.insert(key_of(row));
+    for (const Row& row : all.rows) {
+        if (there.count(key_of(row)) == 0) journal.append(row);
+    }
+    write_results(options.folder, all.plan_text, all.rows);
 }
 
 std::optional<Shard> shard_of(const std::string& text) {

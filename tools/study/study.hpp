@@ -28,6 +28,10 @@ struct StudyOptions {
 /// the references disagree; interrupted.
 void run_study(const StudyPlan& plan, const StudyOptions& options);
 
+/// Merges the shards in `folders` into options.folder and writes what run_study() writes. Throws as joined() does, and
+/// Failure(io_failed).
+void join_study(const std::vector<std::string>& folders, const StudyOptions& options);
+
 /// "K/N" with 1 <= K <= N; nullopt for anything else.
 std::optional<Shard> shard_of(const std::string& text);
 

@@ -19,7 +19,7 @@ constexpr std::int32_t kMaxReferenceSamples = 1 << 24;
 constexpr std::int32_t kMinRotations = 2, kMaxRotations = 1024;
 
 struct CommandOptions {
-    std::vector<std::string> scenes;
+    std::vector<std::string> scenes, join;
     Settings size;
     std::vector<std::string> estimators, numbers;
     std::vector<std::int32_t> samples, antialias;
@@ -63,6 +63,13 @@ Wish wish_of(const CommandOptions& options) {
 
 ExitCode run(const CommandOptions& options) {
     StudyOptions wanted = options.study;
+    if (options.scenes.empty() == options.join.empty()) {
+        throw Failure(ExitCode::usage, "give either scenes to study or --join with the folders of shards");
+    }
+    if (!options.join.empty()) {
+        study::join_study(options.join, wanted);
+        return ExitCode::ok;
+    }
     const auto shard = study::shard_of(options.shard);
     if (!shard) throw Failure(ExitCode::usage, "--shard: '" + options.shard + "' is not K/N with 1 <= K <= N");
     wanted.shard = *shard;
@@ -101,7 +108,7 @@ void add_plan_options(CLI::App& command, CommandOptions& options) {
 void add_study_command(CLI::App& app, Action& action) {
     const auto options = std::make_shared<CommandOptions>();
     CLI::App* command = app.add_subcommand("study", "Error against run time: rows, diagrams and tables");
-    command->add_option("SCENE", options->scenes, "Scene files; NAME.toml@N with the lobe exponent N")->required();
+    command->add_option("SCENE", options->scenes, "Scene files; NAME.toml@N with the lobe exponent N");
     command->add_option("-o,--output", options->study.folder, "Folder of the results; a stopped study goes on there")
         ->required()
         ->type_name("DIR");
@@ -109,6 +116,13 @@ void add_study_command(CLI::App& app, Action& action) {
     command->add_option("--shard", options->shard, "Only every N-th row, from row K on")->type_name("K/N");
     command->add_option("--references", options->study.references, "Folder of the references, default: in DIR")
         ->type_name("DIR");
+    command
+        ->add_option("--reference-tolerance", options->study.tolerance,
+                     "How far the references may be apart, RMSE in the mirror")
+        ->check(CLI::Range(1e-12, 1.0))
+        ->capture_default_str()
+        ->type_name("E");
+    command->add_option("--join", options->join, "Merges the folders of shards into DIR")->type_name("DIR...");
     add_isa_option(*command, options->isa);
     command->add_option("--threads", options->study.timing.threads, "Threads of the renders that are timed")
         ->check(whole_number(1, 1024))
