@@ -24,6 +24,12 @@ template <class Rep, int F>
 ZERKALO_INLINE UnitOf<Direction<Fixed<Rep, F>>, Fixed<Rep, F>> unit_of(Vec3<Fixed<Rep, F>> v) {
     using T = LaneElement<Rep>;
     UnitOf<Direction<Fixed<Rep, F>>, Fixed<Rep, F>> result{};
+    if constexpr (IntLaneTraits<Rep>::kInVectors) {
+        const auto unit = unit_of_lanes(v.x.raw, v.y.raw, v.z.raw);
+        result.unit.x.raw = unit.x, result.unit.y.raw = unit.y, result.unit.z.raw = unit.z;
+        result.length.raw = unit.length;
+        return result;
+    }
     for (int k = 0; k < kLanesOf<Rep>; ++k) {
         const IntegerUnit one = unit_of_integers(lane_of(v.x.raw, k), lane_of(v.y.raw, k), lane_of(v.z.raw, k));
         set_lane(result.unit.x.raw, k, one.x);

@@ -193,34 +193,34 @@ ZERKALO_INLINE constexpr Fixed<A, F + 1> half_of(Fixed<A, F> a) {
     return with_fraction<F + 1>(a.raw);
 }
 
-/// The fixed-point system of one width, as FloatNumbers is that of float.
-template <int W>
+/// The fixed-point system of one width, as FloatNumbers is that of float. I: how the lanes are held.
+template <int W, template <class, int> class I = Ints>
 struct FixedNumbers {
     using Formats = FixedFormats;
     template <class F>
-    using Lanes = Fixed<Ints<typename F::Element, W>, F::kFraction>;
+    using Lanes = Fixed<I<typename F::Element, W>, F::kFraction>;
 
     using Length = Lanes<FixedFormats::Length>;
     using Direction = Lanes<FixedFormats::Direction>;
     using Area = Lanes<FixedFormats::Area>;
-    using Square = Fixed<Ints<std::int64_t, W>, 60>;
-    using Volume = Fixed<Ints<std::int64_t, W>, 48>;
-    using Moment = Fixed<Ints<std::int64_t, W>, 57>;
+    using Square = Fixed<I<std::int64_t, W>, 60>;
+    using Volume = Fixed<I<std::int64_t, W>, 48>;
+    using Moment = Fixed<I<std::int64_t, W>, 57>;
     using Curvature = Lanes<FixedFormats::Curvature>;
     using Inverse = Lanes<FixedFormats::Inverse>;
     using Ratio = Lanes<FixedFormats::Ratio>;
     using Index = Lanes<FixedFormats::Index>;
     using Weight = Lanes<FixedFormats::Weight>;
     using Radiance = Lanes<FixedFormats::Radiance>;
-    using LightSum = Fixed<Ints<std::int64_t, W>, 54>;  // a weight times a radiance, and sums of them: exact
+    using LightSum = Fixed<I<std::int64_t, W>, 54>;  // a weight times a radiance, and sums of them: exact
     using Exponent = Lanes<FixedFormats::Exponent>;
     using Share = Lanes<FixedFormats::Share>;
-    using Phase = Ints<std::uint32_t, W>;               // a turn is 2^32 and wraps
-    using Fraction = Fixed<Ints<std::int64_t, W>, 60>;  // of a lobe's energy
-    using Pixels = Fixed<Ints<std::int32_t, W>, 14>;
+    using Phase = I<std::uint32_t, W>;               // a turn is 2^32 and wraps
+    using Fraction = Fixed<I<std::int64_t, W>, 60>;  // of a lobe's energy
+    using Pixels = Fixed<I<std::int32_t, W>, 14>;
     using View = Lanes<FixedFormats::View>;
     using FarStep = Lanes<FixedFormats::FarStep>;
-    using Mask = Ints<bool, W>;
+    using Mask = I<bool, W>;
     using Uniform = FixedNumbers<1>;
 };
 
@@ -233,15 +233,18 @@ ZERKALO_INLINE Bits<R> load_bits(const std::uint32_t* source) {
     return result;
 }
 
-template <int W>
-struct LaneTraits<FixedNumbers<W>> {
-    using Mask = Ints<bool, W>;
-    using Bits = Ints<std::uint32_t, W>;
+template <int W, template <class, int> class I>
+struct LaneTraits<FixedNumbers<W, I>> {
+    using Mask = I<bool, W>;
+    using Bits = I<std::uint32_t, W>;
     static constexpr int kWidth = W;
 };
+/// The system whose lanes are held like this.
+template <class Rep>
+struct FixedNumbersOf { using type = FixedNumbers<kLanesOf<Rep>>; };
 template <class Rep, int F>
-struct LaneTraits<Fixed<Rep, F>> : LaneTraits<FixedNumbers<kLanesOf<Rep>>> {};
+struct LaneTraits<Fixed<Rep, F>> : LaneTraits<typename FixedNumbersOf<Rep>::type> {};
 template <class Rep, int F>
-struct SystemOf<Fixed<Rep, F>> { using type = FixedNumbers<kLanesOf<Rep>>; };
+struct SystemOf<Fixed<Rep, F>> { using type = typename FixedNumbersOf<Rep>::type; };
 
 }  // namespace zerkalo::inline ZERKALO_ISA

@@ -1,7 +1,8 @@
-// Lanes of integers for fixed point: W values in an array, and loops over them that the compiler turns into vectors.
+// Lanes of integers for fixed point: W values in an array, and loops over them.
 //
 // One lane is a plain integer, and every operation is written for one lane: `each_lane` repeats it over the others. So
 // all widths give the same bits by construction, on any target, also on one without a vector unit or a float unit.
+// vector_lanes.hpp has most operations a second time, for lanes in vector registers.
 #pragma once
 
 #include "core/numeric/formats.hpp"
@@ -13,6 +14,8 @@ template <class X>
 ZERKALO_INLINE constexpr LaneElement<X> lane_of(const X& x, int k) {
     if constexpr (kLanesOf<X> == 1) {
         return x;
+    } else if constexpr (IntLaneTraits<X>::kInVectors) {
+        return x.lane(k);
     } else {
         return x.v[k];
     }
@@ -22,10 +25,19 @@ template <class X>
 ZERKALO_INLINE constexpr void set_lane(X& x, int k, LaneElement<X> value) {
     if constexpr (kLanesOf<X> == 1) {
         x = value;
+    } else if constexpr (IntLaneTraits<X>::kInVectors) {
+        x.set_lane(k, value);
     } else {
         x.v[k] = value;
     }
 }
+
+/// The first of the types that has more than one lane.
+template <class X, class... Rest>
+struct WideOf { using type = X; };
+template <class X, class... Rest>
+    requires(kLanesOf<X> == 1 && sizeof...(Rest) > 0)
+struct WideOf<X, Rest...> : WideOf<Rest...> {};
 
 /// The same function for every lane. Widths are equal, or 1.
 template <class F, class... X>
@@ -39,8 +51,9 @@ ZERKALO_INLINE constexpr auto each_lane(F f, const X&... x) {
     if constexpr (kWidth == 1) {
         return f(x...);
     } else {
-        IntLanes<decltype(f(lane_of(x, 0)...)), kWidth> result{};
-        for (int k = 0; k < kWidth; ++k) result.v[k] = f(lane_of(x, k)...);
+        using T = decltype(f(lane_of(x, 0)...));
+        typename IntLaneTraits<typename WideOf<X...>::type>::template Like<T> result{};
+        for (int k = 0; k < kWidth; ++k) set_lane(result, k, f(lane_of(x, k)...));
         return result;
     }
 }

@@ -23,15 +23,20 @@ struct IntLanes {
     }
 };
 
+/// kInVectors: lanes in vector registers (vector_lanes.hpp). Like: lanes of the same kind of another type.
 template <class X>
 struct IntLaneTraits {
     using Element = X;
     static constexpr int kWidth = 1;
+    static constexpr bool kInVectors = false;
 };
 template <class T, int W>
 struct IntLaneTraits<IntLanes<T, W>> {
     using Element = T;
     static constexpr int kWidth = W;
+    static constexpr bool kInVectors = false;
+    template <class U>
+    using Like = IntLanes<U, W>;
 };
 template <class X>
 using LaneElement = typename IntLaneTraits<X>::Element;
@@ -61,6 +66,7 @@ constexpr T kLargest = std::numeric_limits<T>::max();
 /// Rep: std::int32_t, std::int64_t or lanes of them. The raw integers never hold the most negative value.
 template <class Rep, int FracBits>
 struct Fixed {
+    using Representation = Rep;
     using Element = LaneElement<Rep>;
     static constexpr int kFraction = FracBits;
     static constexpr int kValueBits = std::numeric_limits<Element>::digits;
@@ -90,7 +96,11 @@ struct Fixed {
         }
         return result;
     }
-    static ZERKALO_INLINE constexpr Fixed far_away() { return from_raw(in_all_lanes<Rep>(kLargest<Element>)); }
+    static ZERKALO_INLINE constexpr Fixed far_away() {
+        Fixed result{};
+        result.raw = in_all_lanes<Rep>(kLargest<Element>);
+        return result;
+    }
 
 private:
     static ZERKALO_INLINE constexpr Element raw_of(int whole) {

@@ -175,7 +175,7 @@ ZERKALO_INLINE auto lobe_polar(Fixed<A, F> u, Fixed<B, FS> inverse_exponent) {
 /// `turn` wraps.
 template <class R, class P>
 ZERKALO_INLINE auto at_azimuth(const LobePolar<R>& polar, P turn) {
-    using N = FixedNumbers<(kWidth<R> > kLanesOf<P> ? kWidth<R> : kLanesOf<P>)>;
+    using N = std::conditional_t<kWidth<R> == 1, typename FixedNumbersOf<P>::type, R>;
     using D = Direction<N>;
     const SineCosine<D> azimuth = sincos_turn<D>(turn);
     return LobePoint<N>{as<D>(polar.radius * azimuth.cosine), as<D>(polar.radius * azimuth.sine), polar.forward};

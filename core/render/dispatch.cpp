@@ -10,20 +10,34 @@ struct IsaRow {
     const char* name;
     int lanes;
     const KernelTable* table;
+    int fixed_lanes;
+    const FixedTileFunction* fixed;  // null where the kernel of one lane serves
 };
 
 #if defined(__x86_64__) && !defined(ZERKALO_SCALAR_ONLY)
-constexpr IsaRow kRows[kIsaCount] = {{"scalar", 1, &kKernels_scalar},  {"sse2", 4, &kKernels_sse2},
-                                     {"sse4.2", 4, &kKernels_sse4_2},  {"avx2", 8, &kKernels_avx2},
-                                     {"avx512", 16, &kKernels_avx512}, {"neon", 4, nullptr}};
+constexpr IsaRow kRows[kIsaCount] = {
+    {"scalar", 1, &kKernels_scalar, 1, &kFixedKernel_scalar},
+    {"sse2", 4, &kKernels_sse2, 1, nullptr},
+    {"sse4.2", 4, &kKernels_sse4_2, 4, &kFixedKernel_sse4_2},
+    {"avx2", 8, &kKernels_avx2, 8, &kFixedKernel_avx2},
+    {"avx512", 16, &kKernels_avx512, 8, &kFixedKernel_avx512},
+    {"neon", 4, nullptr, 1, nullptr}};
 #elif defined(__aarch64__) && !defined(ZERKALO_SCALAR_ONLY)
-constexpr IsaRow kRows[kIsaCount] = {{"scalar", 1, &kKernels_scalar}, {"sse2", 4, nullptr},
-                                     {"sse4.2", 4, nullptr},          {"avx2", 8, nullptr},
-                                     {"avx512", 16, nullptr},         {"neon", 4, &kKernels_neon}};
+constexpr IsaRow kRows[kIsaCount] = {
+    {"scalar", 1, &kKernels_scalar, 1, &kFixedKernel_scalar},
+    {"sse2", 4, nullptr, 1, nullptr},
+    {"sse4.2", 4, nullptr, 1, nullptr},
+    {"avx2", 8, nullptr, 1, nullptr},
+    {"avx512", 16, nullptr, 1, nullptr},
+    {"neon", 4, &kKernels_neon, 4, &kFixedKernel_neon}};
 #else
-constexpr IsaRow kRows[kIsaCount] = {{"scalar", 1, &kKernels_scalar}, {"sse2", 4, nullptr},
-                                     {"sse4.2", 4, nullptr},          {"avx2", 8, nullptr},
-                                     {"avx512", 16, nullptr},         {"neon", 4, nullptr}};
+constexpr IsaRow kRows[kIsaCount] = {
+    {"scalar", 1, &kKernels_scalar, 1, &kFixedKernel_scalar},
+    {"sse2", 4, nullptr, 1, nullptr},
+    {"sse4.2", 4, nullptr, 1, nullptr},
+    {"avx2", 8, nullptr, 1, nullptr},
+    {"avx512", 16, nullptr, 1, nullptr},
+    {"neon", 4, nullptr, 1, nullptr}};
 #endif
 
 const IsaRow& row_of(Isa isa) { return kRows[static_cast<int>(isa)]; }
@@ -65,6 +79,10 @@ const char* name_of(Isa isa) { return row_of(isa).name; }
 
 int lanes_of(Isa isa) { return row_of(isa).lanes; }
 
+Isa fixed_isa_of(Isa isa) { return row_of(isa).fixed != nullptr ? isa : Isa::scalar; }
+
+int fixed_lanes_of(Isa isa) { return row_of(isa).fixed_lanes; }
+
 bool available(Isa isa) {
     if (row_of(isa).table == nullptr) return false;
 #if defined(__x86_64__)
@@ -92,7 +110,7 @@ TileFunction kernel_for(const Plan& plan, Isa isa) {
     return table.kernels[plan.features & kFeatureGlossy ? kKernelGlossy : kKernelSharp];
 }
 
-FixedTileFunction kernel_for(const FixedPlan&, Isa) { return kFixedKernel_scalar; }
+FixedTileFunction kernel_for(const FixedPlan&, Isa isa) { return *row_of(fixed_isa_of(isa)).fixed; }
 
 int tile_count(const PlanHead& plan) { return tiles_across(plan) * tiles_down(plan); }
 

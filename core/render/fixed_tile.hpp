@@ -15,8 +15,8 @@ struct FixedColours {
 
 template <class R>
 struct TileColoursOf { using type = FloatingColours<UniformReal<R>>; };
-template <int W>
-struct TileColoursOf<FixedNumbers<W>> { using type = FixedColours; };
+template <int W, template <class, int> class I>
+struct TileColoursOf<FixedNumbers<W, I>> { using type = FixedColours; };
 template <class R>
 using TileColoursFor = typename TileColoursOf<R>::type;
 

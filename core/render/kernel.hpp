@@ -11,8 +11,9 @@ struct KernelTable {
     TileFunction kernels[kKernelKinds];
 };
 
-// The kernel of every scene in fixed point: kernel_fixed.cpp.
-extern const FixedTileFunction kFixedKernel_scalar;
+// The kernel of every scene in fixed point, one for each translation unit of kernel_fixed.cpp.
+extern const FixedTileFunction kFixedKernel_scalar, kFixedKernel_sse4_2, kFixedKernel_avx2, kFixedKernel_avx512,
+    kFixedKernel_neon;
 
 // One for each translation unit of kernel.cpp; those that this program was built without do not exist.
 extern const KernelTable kKernels_scalar, kKernels_sse2, kKernels_sse4_2, kKernels_avx2, kKernels_avx512, kKernels_neon;

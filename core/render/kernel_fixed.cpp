@@ -1,10 +1,30 @@
-// The general kernel in fixed point.
-#include "core/render/general.hpp"
+// The general kernel in fixed point: one lane of plain integers, or the lanes of an instruction set's vector registers.
 #include "core/render/kernel.hpp"
 
+#include "core/geometry/vector_algebra.hpp"
+#include "core/render/general.hpp"
+#if ZERKALO_WIDTH > 1
+#include "core/numeric/float_mode.hpp"
+#endif
+
 namespace zerkalo {
+namespace {
+
+#if ZERKALO_WIDTH > 1
+using R = FixedNumbers<ZERKALO_WIDTH, Vectors>;
+
+void in_ieee_mode(const FixedPlan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
+    const IeeeMode ieee;
+    render_tile_general<R>(plan, tile, image, counts);
+}
+constexpr FixedTileFunction kRenderTile = &in_ieee_mode;
+#else
+constexpr FixedTileFunction kRenderTile = &render_tile_general<FixedNumbers<1>>;
+#endif
+
+}  // namespace
 
 extern const FixedTileFunction ZERKALO_TABLE;
-const FixedTileFunction ZERKALO_TABLE = &render_tile_general<FixedNumbers<1>>;
+const FixedTileFunction ZERKALO_TABLE = kRenderTile;
 
 }  // namespace zerkalo

@@ -23,6 +23,10 @@ const char* name_of(Isa isa);
 /// Pixels a packet: 1, 4, 8 or 16.
 int lanes_of(Isa isa);
 
+/// The instruction set whose kernel renders fixed point where `isa` is asked for, and its pixels a packet: 1, 4 or 8.
+Isa fixed_isa_of(Isa isa);
+int fixed_lanes_of(Isa isa);
+
 /// True when this program has the kernel and this CPU can run it.
 bool available(Isa isa);
 

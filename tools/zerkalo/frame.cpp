@@ -63,9 +63,12 @@ std::unique_ptr<AnyPlan> prepared(const Scene& scene, const Settings& settings) 
 
 Frame prepare_frame(const Scene& scene, const Settings& settings, Isa isa, int threads, Number number) {
     Frame frame;
+    frame.isa = isa;
     if (number == Number::fixed) {
         frame.fixed_plan = prepared<FixedPlan>(scene, settings);
         frame.fixed_kernel = kernel_for(*frame.fixed_plan, isa);
+        frame.isa = fixed_isa_of(isa);
+        frame.lanes = fixed_lanes_of(isa);
     } else if (number == Number::double_precision) {
         frame.double_plan = prepared<DoublePlan>(scene, settings);
         frame.double_kernel = kernel_for(*frame.double_plan, isa);
@@ -79,7 +82,6 @@ Frame prepare_frame(const Scene& scene, const Settings& settings, Isa isa, int t
     frame.pixels =
         std::make_unique<float[]>(std::size_t{3} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     frame.image = {frame.pixels.get(), width, height, static_cast<std::ptrdiff_t>(3 * sizeof(float)) * width};
-    frame.isa = isa;
     frame.threads = threads;
     return frame;
 }

@@ -1,0 +1,27 @@
+// Dot and cross products of fixed-point numbers in vector registers.
+#pragma once
+
+#include "core/geometry/algebra.hpp"
+#include "core/numeric/fixed_vectors.hpp"
+
+#if defined(ZERKALO_INT_VECTORS)
+namespace zerkalo::inline ZERKALO_ISA {
+
+// Of the three products of a sum two fit into 64 bits without being held.
+template <class A, int FA, class B, int FB>
+    requires SingleWord<A> && SingleWord<B> && InVectors<A, B>
+ZERKALO_INLINE auto dot(Vec3<Fixed<A, FA>> a, Vec3<Fixed<B, FB>> b) {
+    const Longs two = sum_of_products((a.x * b.x).raw.v, (a.y * b.y).raw.v);
+    return fixed_of<FA + FB>(held_sum(two, (a.z * b.z).raw.v));
+}
+template <class A, int FA, class B, int FB>
+    requires SingleWord<A> && SingleWord<B> && InVectors<A, B>
+ZERKALO_INLINE auto cross(Vec3<Fixed<A, FA>> a, Vec3<Fixed<B, FB>> b) {
+    const auto x = fixed_of<FA + FB>(difference_of_products((a.y * b.z).raw.v, (a.z * b.y).raw.v));
+    const auto y = fixed_of<FA + FB>(difference_of_products((a.z * b.x).raw.v, (a.x * b.z).raw.v));
+    const auto z = fixed_of<FA + FB>(difference_of_products((a.x * b.y).raw.v, (a.y * b.x).raw.v));
+    return Vec3<std::remove_const_t<decltype(x)>>{x, y, z};
+}
+
+}  // namespace zerkalo::inline ZERKALO_ISA
+#endif

@@ -1,0 +1,167 @@
+// The operators of fixed.hpp on lanes in vector registers; they give what each lane alone would give. Where one is
+// missing, that of fixed.hpp serves, lane by lane.
+#pragma once
+
+#include "core/numeric/fixed.hpp"
+#include "core/numeric/vector_unit.hpp"
+
+#if defined(ZERKALO_INT_VECTORS)
+namespace zerkalo::inline ZERKALO_ISA {
+
+template <class... A>
+concept InVectors = (IntLaneTraits<A>::kInVectors || ...);
+
+template <class T>
+struct FixedNumbersOf<VectorInts<T, kVectorWidth>> { using type = FixedNumbers<kVectorWidth, Vectors>; };
+
+/// The registers; of a plain integer, the same in all lanes.
+template <class A>
+ZERKALO_INLINE auto registers_of(const A& raw) {
+    if constexpr (IntLaneTraits<A>::kInVectors) {
+        return raw.v;
+    } else if constexpr (std::same_as<A, std::int32_t>) {
+        return all_words(raw);
+    } else {
+        return all_longs(raw);
+    }
+}
+template <int F>
+ZERKALO_INLINE auto fixed_of(Words raw) { return with_fraction<F>(VectorWords(raw)); }
+template <int F>
+ZERKALO_INLINE auto fixed_of(const Longs& raw) { return with_fraction<F>(VectorLongs(raw)); }
+
+template <class A, class B, int F>
+    requires SameElement<A, B> && InVectors<A, B>
+ZERKALO_INLINE auto operator+(Fixed<A, F> a, Fixed<B, F> b) {
+    return fixed_of<F>(held_sum(registers_of(a.raw), registers_of(b.raw)));
+}
+template <class A, class B, int F>
+    requires SameElement<A, B> && InVectors<A, B>
+ZERKALO_INLINE auto operator-(Fixed<A, F> a, Fixed<B, F> b) {
+    return fixed_of<F>(held_difference(registers_of(a.raw), registers_of(b.raw)));
+}
+template <class A, int F>
+    requires InVectors<A>
+ZERKALO_INLINE auto operator-(Fixed<A, F> a) {
+    return fixed_of<F>(negative(a.raw.v));
+}
+template <class A, int FA, class B, int FB>
+    requires SingleWord<A> && SingleWord<B> && SameWidth<A, B> && InVectors<A, B>
+ZERKALO_INLINE auto operator*(Fixed<A, FA> a, Fixed<B, FB> b) {
+    return fixed_of<FA + FB>(full_product(registers_of(a.raw), registers_of(b.raw)));
+}
+template <class A, class B, int F>
+    requires SameElement<A, B> && InVectors<A, B>
+ZERKALO_INLINE VectorMask operator<(Fixed<A, F> a, Fixed<B, F> b) {
+    return VectorMask(is_less(registers_of(a.raw), registers_of(b.raw)));
+}
+template <class A, class B, int F>
+    requires SameElement<A, B> && InVectors<A, B>
+ZERKALO_INLINE VectorMask operator==(Fixed<A, F> a, Fixed<B, F> b) {
+    return VectorMask(is_equal(registers_of(a.raw), registers_of(b.raw)));
+}
+template <class A, class B, int F>
+    requires SameElement<A, B> && InVectors<A, B>
+ZERKALO_INLINE VectorMask operator!=(Fixed<A, F> a, Fixed<B, F> b) {
+    return !(a == b);
+}
+
+ZERKALO_INLINE VectorMask select(VectorMask m, VectorMask a, VectorMask b) {
+    return VectorMask(chosen(m.v, a.v, b.v));
+}
+template <class A, class B, int F>
+    requires SameElement<A, B>
+ZERKALO_INLINE auto select(VectorMask m, Fixed<A, F> a, Fixed<B, F> b) {
+    return fixed_of<F>(chosen(m.v, registers_of(a.raw), registers_of(b.raw)));
+}
+template <class A, int F>
+    requires InVectors<A> && SingleWord<A>
+ZERKALO_INLINE auto min(Fixed<A, F> a, Fixed<A, F> b) {
+    return fixed_of<F>(a.raw.v < b.raw.v ? a.raw.v : b.raw.v);
+}
+template <class A, int F>
+    requires InVectors<A> && SingleWord<A>
+ZERKALO_INLINE auto max(Fixed<A, F> a, Fixed<A, F> b) {
+    return fixed_of<F>(a.raw.v > b.raw.v ? a.raw.v : b.raw.v);
+}
+template <class A, int F>
+    requires InVectors<A> && SingleWord<A>
+ZERKALO_INLINE Fixed<A, F> flip_sign(Fixed<A, F> a, Fixed<A, F> sign) {
+    const Words s = sign_of(sign.raw.v);
+    return fixed_of<F>((a.raw.v ^ s) - s);
+}
+
+template <class To, class A, int F>
+    requires InVectors<A>
+ZERKALO_INLINE To as(Fixed<A, F> value) {
+    constexpr int kShift = F - To::kFraction;
+    constexpr bool kToWords = std::same_as<typename To::Element, std::int32_t>;
+    if constexpr (std::same_as<To, Fixed<A, F>>) {
+        return value;
+    } else if constexpr (SingleWord<A> && kToWords) {
+        return fixed_of<To::kFraction>(rescaled_words<kShift>(value.raw.v));
+    } else if constexpr (kToWords) {
+        static_assert(kShift > 0);
+        return fixed_of<To::kFraction>(rescaled_words<kShift>(value.raw.v));
+    } else if constexpr (SingleWord<A> && kShift <= 0 && kShift >= -32) {
+        return fixed_of<To::kFraction>(raised_longs<-kShift>(value.raw.v));
+    } else if constexpr (!SingleWord<A> && kShift > 1) {
+        return fixed_of<To::kFraction>(rescaled_longs<kShift>(value.raw.v));
+    } else {
+        using T = typename To::Element;
+        return with_fraction<To::kFraction>(
+            each_lane([](std::int64_t x) { return rescaled<T, kShift>(x); }, value.raw));
+    }
+}
+
+/// A word times 64 bits, rounded once.
+template <class To, class A, int FA, class B, int FB>
+    requires InVectors<A, B> && SingleWord<A> && (!SingleWord<B>) &&
+             ((SingleWord<typename To::Representation> && FA + FB - To::kFraction > 33) ||
+              (!SingleWord<typename To::Representation> && FA + FB - To::kFraction <= 32))
+ZERKALO_INLINE To product(Fixed<A, FA> a, Fixed<B, FB> b) {
+    constexpr int kShift = FA + FB - To::kFraction;
+    if constexpr (SingleWord<typename To::Representation>) {
+        return fixed_of<To::kFraction>(rescaled_product_words<kShift>(registers_of(a.raw), registers_of(b.raw)));
+    } else {
+        return fixed_of<To::kFraction>(rescaled_product_longs<kShift>(registers_of(a.raw), registers_of(b.raw)));
+    }
+}
+
+/// A word as the quotient by a word.
+template <class To, class A, int FA, class B, int FB>
+    requires InVectors<A, B> && SingleWord<B> && SingleWord<typename To::Representation> &&
+             (Fixed<A, FA>::kValueBits + To::kFraction - FA + FB <= 63)
+ZERKALO_INLINE To quotient(Fixed<A, FA> a, Fixed<B, FB> b) {
+    constexpr int kShift = To::kFraction - FA + FB;
+    if constexpr (SingleWord<A>) {
+        return fixed_of<To::kFraction>(
+            rounded_quotient(raised_longs<kShift>(registers_of(a.raw)), registers_of(b.raw)));
+    } else {
+        static_assert(kShift == 0);
+        return fixed_of<To::kFraction>(rounded_quotient(registers_of(a.raw), registers_of(b.raw)));
+    }
+}
+
+template <class To, class A, int F>
+    requires InVectors<A> && SingleWord<typename To::Representation>
+ZERKALO_INLINE To root(Fixed<A, F> a) {
+    static_assert(F == 2 * To::kFraction, "a root has half the fraction bits");
+    return fixed_of<To::kFraction>(nearest_root(a.raw.v));
+}
+
+template <class A, class B, int F>
+    requires InVectors<A>
+ZERKALO_INLINE VectorMask ahead_of(Fixed<B, F> t_min, Fixed<A, F> t, Fixed<A, F> along) {
+    const Words root = along.raw.v;
+    return (t > t_min) & VectorMask(Words((t.raw.v < kMostWord) & (root < kMostWord) & (root > -kMostWord)));
+}
+
+template <class A, int F>
+    requires InVectors<A> && SingleWord<A>
+ZERKALO_INLINE Fixed<A, F> times(Fixed<A, F> a, std::int32_t n) {
+    return fixed_of<F>(a.raw.v * n);
+}
+
+}  // namespace zerkalo::inline ZERKALO_ISA
+#endif

@@ -1,0 +1,213 @@
+// Lanes of integers in the vector registers, by the compilers' own vector types: the moves between 32 and 64 bits, the
+// widening product, and the float unit's division and root. The only file of fixed point that names instructions.
+//
+// W numbers of 32 bits fill a register, of 64 bits one (AVX-512) or two. Two hold the even and the odd lanes: so the
+// widening product of x86 takes and gives them, and a change of width is a shift and a blend.
+#pragma once
+
+#include "core/numeric/fixed_lanes.hpp"
+
+#if !defined(ZERKALO_INTEGERS_ONLY) && (defined(__SSE4_2__) || defined(__aarch64__))
+#define ZERKALO_INT_VECTORS
+
+#if defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define ZERKALO_ONE_PART
+#endif
+#if defined(__aarch64__)
+#include <arm_neon.h>
+#else
+#include <immintrin.h>
+#endif
+
+namespace zerkalo::inline ZERKALO_ISA {
+
+template <class T, int n>
+struct VectorOf {
+    using type __attribute__((vector_size(n * sizeof(T)))) = T;
+};
+template <class T, int n>
+using Vector = typename VectorOf<T, n>::type;
+
+#if defined(ZERKALO_ONE_PART)
+constexpr int kVectorWidth = 8, kParts = 1;
+#elif defined(__AVX2__)
+constexpr int kVectorWidth = 8, kParts = 2;
+#else
+constexpr int kVectorWidth = 4, kParts = 2;
+#endif
+constexpr int kPartLanes = kVectorWidth / kParts;
+
+using Words = Vector<std::int32_t, kVectorWidth>;
+using UnsignedWords = Vector<std::uint32_t, kVectorWidth>;
+using Quads = Vector<std::int64_t, kPartLanes>;
+using UnsignedQuads = Vector<std::uint64_t, kPartLanes>;
+using Doubles = Vector<double, kPartLanes>;
+
+/// The registers of one number of 64 bits a lane: all lanes, or the even ones and the odd ones.
+template <class V, int count>
+struct PartsOf;
+template <class V>
+struct PartsOf<V, 1> { V even; };
+template <class V>
+struct PartsOf<V, 2> { V even, odd; };
+using Longs = PartsOf<Quads, kParts>;
+using UnsignedLongs = PartsOf<UnsignedQuads, kParts>;
+
+/// The same function of each register.
+template <class F, class... X>
+ZERKALO_INLINE auto each_part(F f, const X&... x) {
+    using V = decltype(f(x.even...));
+    if constexpr (kParts == 1) {
+        return PartsOf<V, 1>{f(x.even...)};
+    } else {
+        return PartsOf<V, 2>{f(x.even...), f(x.odd...)};
+    }
+}
+
+ZERKALO_INLINE Words all_words(std::int32_t x) { return Words{} + x; }
+ZERKALO_INLINE Longs all_longs(std::int64_t x) {
+    return each_part([x](Quads zero) ZERKALO_INLINE_LAMBDA { return zero + x; }, Longs{});
+}
+
+// What no expression of vectors gives, by instruction set:
+//     low_product      the product of the low words of each lane, exactly, with a sign or without
+//     square_root      correctly rounded
+//     where_negative   a where the sign of m is set, b elsewhere
+//     signs_of         bit k is the sign of lane k
+#if defined(__aarch64__)
+ZERKALO_INLINE Quads low_product(Quads a, Quads b) { return Quads(vmull_s32(vmovn_s64(a), vmovn_s64(b))); }
+ZERKALO_INLINE UnsignedQuads low_product(UnsignedQuads a, UnsignedQuads b) {
+    return UnsignedQuads(vmull_u32(vmovn_u64(a), vmovn_u64(b)));
+}
+ZERKALO_INLINE Doubles square_root(Doubles a) { return Doubles(vsqrtq_f64(a)); }
+ZERKALO_INLINE Words where_negative(Words m, Words a, Words b) { return m < 0 ? a : b; }
+ZERKALO_INLINE Quads where_negative(Quads m, Quads a, Quads b) { return m < 0 ? a : b; }
+ZERKALO_INLINE std::uint32_t signs_of(Words m) {
+    const uint32x4_t weights = {1, 2, 4, 8};
+    return vaddvq_u32(vandq_u32(uint32x4_t(m < 0), weights));
+}
+#elif defined(ZERKALO_ONE_PART)
+ZERKALO_INLINE Quads low_product(Quads a, Quads b) { return Quads(_mm512_mul_epi32(__m512i(a), __m512i(b))); }
+ZERKALO_INLINE UnsignedQuads low_product(UnsignedQuads a, UnsignedQuads b) {
+    return UnsignedQuads(_mm512_mul_epu32(__m512i(a), __m512i(b)));
+}
+ZERKALO_INLINE Doubles square_root(Doubles a) { return Doubles(_mm512_sqrt_pd(__m512d(a))); }
+ZERKALO_INLINE Words where_negative(Words m, Words a, Words b) {
+    return Words(_mm256_blendv_ps(__m256(b), __m256(a), __m256(m)));
+}
+ZERKALO_INLINE Quads where_negative(Quads m, Quads a, Quads b) {
+    return Quads(_mm512_mask_blend_epi64(_mm512_movepi64_mask(__m512i(m)), __m512i(b), __m512i(a)));
+}
+ZERKALO_INLINE std::uint32_t signs_of(Words m) { return static_cast<std::uint32_t>(_mm256_movemask_ps(__m256(m))); }
+#elif defined(__AVX2__)
+ZERKALO_INLINE Quads low_product(Quads a, Quads b) { return Quads(_mm256_mul_epi32(__m256i(a), __m256i(b))); }
+ZERKALO_INLINE UnsignedQuads low_product(UnsignedQuads a, UnsignedQuads b) {
+    return UnsignedQuads(_mm256_mul_epu32(__m256i(a), __m256i(b)));
+}
+ZERKALO_INLINE Doubles square_root(Doubles a) { return Doubles(_mm256_sqrt_pd(__m256d(a))); }
+ZERKALO_INLINE Words where_negative(Words m, Words a, Words b) {
+    return Words(_mm256_blendv_ps(__m256(b), __m256(a), __m256(m)));
+}
+ZERKALO_INLINE Quads where_negative(Quads m, Quads a, Quads b) {
+    return Quads(_mm256_blendv_pd(__m256d(b), __m256d(a), __m256d(m)));
+}
+ZERKALO_INLINE std::uint32_t signs_of(Words m) { return static_cast<std::uint32_t>(_mm256_movemask_ps(__m256(m))); }
+#else
+ZERKALO_INLINE Quads low_product(Quads a, Quads b) { return Quads(_mm_mul_epi32(__m128i(a), __m128i(b))); }
+ZERKALO_INLINE UnsignedQuads low_product(UnsignedQuads a, UnsignedQuads b) {
+    return UnsignedQuads(_mm_mul_epu32(__m128i(a), __m128i(b)));
+}
+ZERKALO_INLINE Doubles square_root(Doubles a) { return Doubles(_mm_sqrt_pd(__m128d(a))); }
+ZERKALO_INLINE Words where_negative(Words m, Words a, Words b) {
+    return Words(_mm_blendv_ps(__m128(b), __m128(a), __m128(m)));
+}
+ZERKALO_INLINE Quads where_negative(Quads m, Quads a, Quads b) {
+    return Quads(_mm_blendv_pd(__m128d(b), __m128d(a), __m128d(m)));
+}
+ZERKALO_INLINE std::uint32_t signs_of(Words m) { return static_cast<std::uint32_t>(_mm_movemask_ps(__m128(m))); }
+#endif
+
+/// Even lanes of a, odd lanes of b.
+ZERKALO_INLINE Words alternating(Words a, Words b) {
+#if defined(__AVX2__)
+    return __builtin_shufflevector(a, b, 0, 9, 2, 11, 4, 13, 6, 15);
+#else
+    return __builtin_shufflevector(a, b, 0, 5, 2, 7);
+#endif
+}
+
+/// All bits set where x < 0.
+ZERKALO_INLINE Words sign_of(Words x) { return x >> 31; }
+ZERKALO_INLINE Quads sign_of(Quads x) {
+#if defined(ZERKALO_ONE_PART) || defined(__aarch64__)
+    return x >> 63;
+#else
+    return Quads(Quads{} > x);
+#endif
+}
+
+/// x / 2^n, rounded down: AVX2 and before have no such shift.
+template <int n>
+ZERKALO_INLINE Quads shifted_right(Quads x) {
+    static_assert(n > 0 && n < 64);
+#if defined(ZERKALO_ONE_PART) || defined(__aarch64__)
+    return x >> n;
+#else
+    return Quads(UnsignedQuads(x) >> n) | Quads(UnsignedQuads(sign_of(x)) << (64 - n));
+#endif
+}
+
+// Between lanes of 32 and of 64 bits. widened: with the sign; widened_unsigned: without; low_words, high_words: half of
+// each lane; narrow_mask, wide_mask: all bits of a lane alike; full_product: a b, exactly.
+#if defined(ZERKALO_ONE_PART)
+ZERKALO_INLINE Longs widened(Words x) { return {__builtin_convertvector(x, Quads)}; }
+ZERKALO_INLINE UnsignedLongs widened_unsigned(UnsignedWords x) { return {__builtin_convertvector(x, UnsignedQuads)}; }
+ZERKALO_INLINE Words low_words(const Longs& x) { return __builtin_convertvector(x.even, Words); }
+ZERKALO_INLINE Words high_words(const Longs& x) { return __builtin_convertvector(x.even >> 32, Words); }
+ZERKALO_INLINE Words narrow_mask(const Longs& m) { return __builtin_convertvector(m.even, Words); }
+ZERKALO_INLINE Longs wide_mask(Words m) { return {__builtin_convertvector(m, Quads)}; }
+ZERKALO_INLINE Longs full_product(Words a, Words b) { return {low_product(widened(a).even, widened(b).even)}; }
+#else
+ZERKALO_INLINE Longs widened(Words x) {
+    const Words sign = sign_of(x);
+    return {Quads(alternating(x, Words(UnsignedQuads(sign) << 32))),
+            Quads(alternating(Words(UnsignedQuads(x) >> 32), sign))};
+}
+ZERKALO_INLINE UnsignedLongs widened_unsigned(UnsignedWords x) {
+    return {UnsignedQuads(x) & 0xffffffffu, UnsignedQuads(x) >> 32};
+}
+ZERKALO_INLINE Words low_words(const Longs& x) {
+    return alternating(Words(x.even), Words(UnsignedQuads(x.odd) << 32));
+}
+ZERKALO_INLINE Words high_words(const Longs& x) {
+    return alternating(Words(UnsignedQuads(x.even) >> 32), Words(x.odd));
+}
+ZERKALO_INLINE Words narrow_mask(const Longs& m) { return alternating(Words(m.even), Words(m.odd)); }
+ZERKALO_INLINE Longs wide_mask(Words m) {
+    return {Quads(alternating(m, Words(UnsignedQuads(m) << 32))), Quads(alternating(Words(UnsignedQuads(m) >> 32), m))};
+}
+ZERKALO_INLINE Longs full_product(Words a, Words b) {
+    return {low_product(Quads(a), Quads(b)), low_product(Quads(UnsignedQuads(a) >> 32), Quads(UnsignedQuads(b) >> 32))};
+}
+#endif
+
+/// The double nearest to x >= 0.
+ZERKALO_INLINE Doubles double_of(UnsignedQuads x) {
+    // Halves of 32 bits become the low bits of doubles near 2^84 and 2^52, and one sum rounds.
+    const Doubles high = Doubles((x >> 32) | 0x4530000000000000u) - (0x1p84 + 0x1p52);
+    return high + Doubles((x & 0xffffffffu) | 0x4330000000000000u);
+}
+/// The double nearest to x.
+ZERKALO_INLINE Doubles double_of(Quads x) {
+    // As above, of x + 2^63.
+    const UnsignedQuads above = UnsignedQuads(x) ^ 0x8000000000000000u;
+    const Doubles high = Doubles((above >> 32) | 0x4530000000000000u) - (0x1p84 + 0x1p63 + 0x1p52);
+    return high + Doubles((above & 0xffffffffu) | 0x4330000000000000u);
+}
+/// The double x, |x| < 2^51.
+ZERKALO_INLINE Doubles double_of_small(Quads x) { return Doubles(x + 0x4338000000000000) - 0x1.8p52; }
+/// The integer nearest to x, |x| < 2^31, in the low words; what is above them means nothing.
+ZERKALO_INLINE Quads nearest_in_low_words(Doubles x) { return Quads(x + 0x1.8p52); }
+
+}  // namespace zerkalo::inline ZERKALO_ISA
+#endif
