@@ -36,6 +36,16 @@ ZERKALO_INLINE void trace_one(const PlanFor<R>& plan, const PathPacket<R>& ray, 
     if (any(next.job.active)) stack.push(next.job);
 }
 
+/// Point s of a job, before its class turns it: the same of the lattice in all lanes, or of each lane's own set.
+template <class R>
+ZERKALO_INLINE SetPoint<R> point_of_job(const PlanFor<R>& plan, const PathKey<R>& key, std::int32_t s) {
+    const auto index = static_cast<std::uint32_t>(s);
+    if (is_keyed(plan.sampling.estimator)) {
+        return set_point<R>(plan.sampling.estimator, Bits<R>(index), plan.samples, key.set);
+    }
+    return {share_point<R>(plan.sampling, s, plan.samples), Phase<R>(phase_of<Uniform<R>>(index * kGoldenTurn))};
+}
+
 /// Takes the next packet of rays off the stack: a waiting one, or the next lattice ray of the job on top.
 /// Returns false where all rays of the job's step point below the horizon.
 template <class R>
@@ -49,8 +59,8 @@ ZERKALO_INLINE bool next_packet(const PlanFor<R>& plan, PathStack<R>& stack, con
     }
     const std::int32_t s = top.sample++;
     if (top.sample == plan.samples) --stack.count;
-    const auto turn = Phase<R>(phase_of<Uniform<R>>(static_cast<std::uint32_t>(s) * kGoldenTurn)) + key.turn;
-    const auto point = lobe_point(share_point<R>(plan.sampling, s, plan.samples), turn, ray.inverse_exponent);
+    const SetPoint<R> at = point_of_job<R>(plan, key, s);
+    const auto point = lobe_point(at.u, Phase<R>(at.turn + key.turn), ray.inverse_exponent);
     const LobeRay<R> lobe = lobe_ray<R>(point, ray.d, ray.n, ray.max_phong);
     PathPacket<R> next = ray;
     next.active = mask_of<R>(false);
@@ -89,16 +99,21 @@ ZERKALO_INLINE Rgb<LightSum<R>> trace_packet(const PlanFor<R>& plan, const TileV
 template <class R>
 ZERKALO_INLINE PathKey<R> path_key(const PlanFor<R>& plan, const Rect& tile, int first, std::uint32_t camera_sample) {
     alignas(64) Phase<Uniform<R>> turns[kWidth<R>];
-    alignas(64) std::uint32_t pixels[kWidth<R>];
-    const LatticeClasses classes = lattice_classes(tile_hash(plan, tile));
+    alignas(64) std::uint32_t pixels[kWidth<R>], keys[kWidth<R>], halves[kWidth<R>];
+    const std::uint32_t hash = tile_hash(plan, tile);
+    const LatticeClasses classes = lattice_classes(hash);
+    const bool keyed = is_keyed(plan.sampling.estimator);
     for (int lane = 0; lane < kWidth<R>; ++lane) {
         const int x = (first + lane) % kTileSide, y = (first + lane) / kTileSide;
-        turns[lane] = phase_of<Uniform<R>>(
-            phase_of_class(plan.sampling, class_of_pixel(classes, first + lane), camera_sample));
+        const int c = class_of_pixel(classes, first + lane);
+        turns[lane] = phase_of<Uniform<R>>(phase_of_class(plan.sampling, c, camera_sample));
+        const auto set = keyed ? set_of_class(plan.sampling, hash, c, camera_sample) : SetChoice<std::uint32_t>{0, 0};
+        keys[lane] = set.key, halves[lane] = set.half;
         pixels[lane] = static_cast<std::uint32_t>(tile.top + y) * static_cast<std::uint32_t>(plan.width) +
                        static_cast<std::uint32_t>(tile.left + x);
     }
-    return {load_bits<R>(pixels), camera_sample, load_phases<R>(turns)};
+    return {load_bits<R>(pixels), camera_sample, load_phases<R>(turns),
+            {load_bits<R>(keys), load_bits<R>(halves)}};
 }
 
 /// Renders one tile of any scene. R: the lanes, or the fixed-point system.

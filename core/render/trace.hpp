@@ -43,12 +43,13 @@ struct PathStack {
     ZERKALO_INLINE void push(const PathPacket<R>& packet) { packets[count++] = packet; }
 };
 
-/// What identifies a camera path: its pixel, the camera sample, the turns of its lattice.
+/// What identifies a camera path: its pixel, the camera sample, the turns of its lattice or of its keyed set.
 template <class R>
 struct PathKey {
     Bits<R> pixel;
     std::uint32_t camera_sample;
     Phase<R> turn;
+    SetChoice<Bits<R>> set;
 };
 
 /// Continuations of the packet that is being shaded, filled surface by surface.
