@@ -114,6 +114,18 @@ ZERKALO_INLINE constexpr auto operator^(IntLanes<std::uint32_t, W> a, IntLanes<s
     return each_lane([](std::uint32_t x, std::uint32_t y) { return x ^ y; }, a, b);
 }
 template <int W>
+ZERKALO_INLINE constexpr auto operator&(IntLanes<std::uint32_t, W> a, IntLanes<std::uint32_t, W> b) {
+    return each_lane([](std::uint32_t x, std::uint32_t y) { return x & y; }, a, b);
+}
+template <int W>
+ZERKALO_INLINE constexpr auto operator|(IntLanes<std::uint32_t, W> a, IntLanes<std::uint32_t, W> b) {
+    return each_lane([](std::uint32_t x, std::uint32_t y) { return x | y; }, a, b);
+}
+template <int W>
+ZERKALO_INLINE constexpr auto operator<<(IntLanes<std::uint32_t, W> a, int n) {
+    return each_lane([n](std::uint32_t x) { return x << n; }, a);
+}
+template <int W>
 ZERKALO_INLINE constexpr auto operator>>(IntLanes<std::uint32_t, W> a, int n) {
     return each_lane([n](std::uint32_t x) { return x >> n; }, a);
 }

@@ -94,6 +94,9 @@ ZERKALO_INLINE std::uint32_t count_of(VectorMask m) {
 ZERKALO_INLINE VectorBits operator+(VectorBits a, VectorBits b) { return VectorBits(a.v + b.v); }
 ZERKALO_INLINE VectorBits operator*(VectorBits a, VectorBits b) { return VectorBits(a.v * b.v); }
 ZERKALO_INLINE VectorBits operator^(VectorBits a, VectorBits b) { return VectorBits(a.v ^ b.v); }
+ZERKALO_INLINE VectorBits operator&(VectorBits a, VectorBits b) { return VectorBits(a.v & b.v); }
+ZERKALO_INLINE VectorBits operator|(VectorBits a, VectorBits b) { return VectorBits(a.v | b.v); }
+ZERKALO_INLINE VectorBits operator<<(VectorBits a, int n) { return VectorBits(a.v << n); }
 ZERKALO_INLINE VectorBits operator>>(VectorBits a, int n) { return VectorBits(a.v >> n); }
 
 constexpr std::int32_t kMostWord = kLargest<std::int32_t>;

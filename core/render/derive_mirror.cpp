@@ -24,14 +24,16 @@ LobeDataOf<F> lobe_of(const Mirror& mirror, const PlanHead& plan, const Constant
     lobe.max_phong = mirror.lobe == Lobe::max_phong;
     if (!lobe.glossy) return lobe;
     lobe.inverse_exponent = to.share(1 / (n + 1));
-    const double widest = double(plan.sampling.place) / kShareSteps / plan.samples;
+    const double widest = least_share(plan.sampling, plan.samples);
     // Room for the rounding of lattice and frame: both far below 2^-18.
     constexpr double kRoom = 0x1p-18;
     const auto cone = [&](double u) {
         const double from_axis = distance_from_axis(u, n) * (1 + kRoom) + kRoom * kRoom;
         return from_axis < 1 ? from_axis : 1.0;
     };
-    const double cull = cone(larger(widest, kTailBound)), all = cone(widest);
+    // A keyed rule throws its few rays anywhere: one that culling left out would cost a pixel 1/N, not 1/N of the tail.
+    const double tail = is_keyed(plan.sampling.estimator) ? 0 : kTailBound;
+    const double cull = cone(larger(widest, tail)), all = cone(widest);
     lobe.cosine = to.weight((1 - cull) * (1 - kRoom * kRoom));
     lobe.sine = to.weight(square_root(cull * (2 - cull)) * (1 + kRoom));
     lobe.widest_sine = to.weight(square_root(all * (2 - all)) * (1 + kRoom) + kRoom);

@@ -91,20 +91,26 @@ ZERKALO_INLINE Rgb<LightSum<R>> trace_packet(const PlanFor<R>& plan, const TileV
 template <class R>
 ZERKALO_INLINE PathKey<R> path_key(const PlanFor<R>& plan, const Rect& tile, int first, std::uint32_t camera_sample) {
     alignas(64) Phase<Uniform<R>> turns[kWidth<R>];
-    alignas(64) std::uint32_t pixels[kWidth<R>];
-    const LatticeClasses classes = lattice_classes(tile_hash(plan, tile));
+    alignas(64) std::uint32_t pixels[kWidth<R>], keys[kWidth<R>], halves[kWidth<R>];
+    const std::uint32_t hash = tile_hash(plan, tile);
+    const LatticeClasses classes = lattice_classes(hash);
+    const bool keyed = is_keyed(plan.sampling.estimator);
     PathKey<R> key;
     for (int lane = 0; lane < kWidth<R>; ++lane) {
         const int x = (first + lane) % kTileSide, y = (first + lane) / kTileSide;
         const int lattice_class = class_of_pixel(classes, first + lane);
         key.lattice_class[lane] = static_cast<std::uint8_t>(lattice_class);
         turns[lane] = phase_of<Uniform<R>>(phase_of_class(plan.sampling, lattice_class, camera_sample));
+        const SetChoice<std::uint32_t> set =
+            keyed ? set_of_class(plan.sampling, hash, lattice_class, camera_sample) : SetChoice<std::uint32_t>{0, 0};
+        keys[lane] = set.key, halves[lane] = set.half;
         pixels[lane] = static_cast<std::uint32_t>(tile.top + y) * static_cast<std::uint32_t>(plan.width) +
                        static_cast<std::uint32_t>(tile.left + x);
     }
     key.pixel = load_bits<R>(pixels);
     key.camera_sample = camera_sample;
     key.turn = load_phases<R>(turns);
+    key.set = {load_bits<R>(keys), load_bits<R>(halves)};
     return key;
 }
 

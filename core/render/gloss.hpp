@@ -35,6 +35,7 @@ struct GlossQueues {
     GlossPoints points;
     GlossQueue of_class[kLatticeClasses];
     std::uint64_t waiting;  // bit p: pixel p
+    std::uint32_t tile;     // its hash
 };
 
 /// Notes the packet's points and lets the lanes of the mask wait.
@@ -166,6 +167,19 @@ ZERKALO_INLINE void settle(GlossQueue& queue, const Plan& plan, const MirrorPlan
     }
 }
 
+constexpr int kClassChunks = 2;  // of a keyed rule: for the even classes and for the odd ones
+
+/// The points of the classes from number `first` on: of the lattice, in the first chunk, for all of them.
+template <class R>
+ZERKALO_ONCE void fill_class_chunks(LatticeChunk* chunks, const Plan& plan, const LobeData& lobe, std::uint32_t tile,
+                                    std::uint32_t sample, std::int32_t first) {
+    if (!is_keyed(plan.sampling.estimator)) return fill_chunk<R>(chunks[0], plan.sampling, lobe, first, plan.samples);
+    for (int c = 0; c < kClassChunks; ++c) {
+        const auto set = set_of_class(plan.sampling, tile, c, sample);
+        fill_keyed_chunk<R>(chunks[c], plan.sampling, lobe, set, first, plan.samples);
+    }
+}
+
 /// Traces all waiting pixels of camera sample `sample` and adds what they see in the mirror to their colours.
 /// A function of its own, so that its stack and the camera rays' are not held at the same time as one frame's spills.
 template <class R>
@@ -176,15 +190,18 @@ ZERKALO_ONCE void flush(GlossQueues& queues, const LatticeClasses& classes, cons
         fill_queue<R>(queues.of_class[c], queues.waiting & pixels_of_class(classes, c), mirror.lobe.max_phong);
     }
     queues.waiting = 0;
-    LatticeChunk later;
+    const bool keyed = is_keyed(plan.sampling.estimator);
+    LatticeChunk later[kClassChunks];
     GroupFrames<R> frames;
     GroupAim<R> aim;
     for (std::int32_t first = 0; first < plan.samples; first += kChunk) {
-        if (first > 0) fill_chunk<R>(later, plan.sampling, mirror.lobe, first, plan.samples);
-        const LatticeChunk& chunk = first > 0 ? later : mirror.lattice;
+        const bool fill = first > 0 || keyed;
+        if (fill) fill_class_chunks<R>(later, plan, mirror.lobe, queues.tile, sample, first);
+        const LatticeChunk* chunks = fill ? later : &mirror.lattice;
         SineCosine<float> phase = sincos_turn(turn_of_class(plan.sampling, 0, sample));
         for (int c = 0; c < kLatticeClasses; ++c, phase = quarter_turned(phase)) {
             GlossQueue& queue = queues.of_class[c];
+            const LatticeChunk& chunk = chunks[c & int{keyed}];
             for (std::int32_t at = 0; at < queue.count; at += kGroupPackets<R> * kWidth<R>) {
                 frame_group(frames, queue, at, queues.points, phase);
                 aim_group(aim, plan, mirror.lobe, candidates, chunk, frames);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/optics/lattice.hpp"
+#include "core/optics/point_sets.hpp"
 #include "core/render/anywhere.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
@@ -43,13 +44,14 @@ ZERKALO_INLINE LobeRay<R> lobe_ray(const LobePoint<R>& point, Vec3<Direction<R>>
     return {d, weight, Mask<R>(cosine > W(0))};
 }
 
-/// What identifies a camera path: its pixel, the camera sample, the turns of its lattice and their classes.
+/// What identifies a camera path: its pixel, the camera sample, its lattice's turn and class, or its keyed set.
 template <class R>
 struct PathKey {
     Bits<R> pixel;
     std::uint32_t camera_sample;
     Phase<R> turn;
     std::uint8_t lattice_class[kWidth<R>];
+    SetChoice<Bits<R>> set;
 };
 
 /// Lattice rays of a tile in fixed point, each for all classes; made when they are first needed.
@@ -101,6 +103,11 @@ ZERKALO_INLINE Share<Uniform<R>> first_exponent(const LobeJob<R>& job, Mask<R> a
 template <class R>
 ZERKALO_INLINE LobePoint<R> point_of_job(const PlanFor<R>& plan, LobeRows<R>& rows, const LobeJob<R>& job,
                                          const PathKey<R>& key, std::int32_t s, Mask<R> active) {
+    if (is_keyed(plan.sampling.estimator)) {
+        const auto index = Bits<R>(static_cast<std::uint32_t>(s));
+        const SetPoint<R> at = set_point<R>(plan.sampling.estimator, index, plan.samples, key.set);
+        return lobe_point(at.u, Phase<R>(at.turn + key.turn), job.inverse_exponent);
+    }
     if constexpr (Formats<R>::kFixed) {
         const auto exponent = first_exponent<R>(job, active);
         if (none(active & (job.inverse_exponent != exponent))) {

@@ -91,7 +91,8 @@ inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const Lin
     TileCounts tile_counts;
     GlossQueues queues;
     queues.waiting = 0;
-    const LatticeClasses classes = lattice_classes(tile_hash(plan, tile));
+    queues.tile = tile_hash(plan, tile);
+    const LatticeClasses classes = lattice_classes(queues.tile);
     if (Glossy && mirrors_in(view.seen) != 0) view.in_lobe = candidates_of_tile<R>(plan, tile);
     const bool whole = tile.width == kTileSide && tile.height == kTileSide;
     for (std::int32_t a = 0; a < plan.antialias; ++a) {

@@ -176,7 +176,8 @@ void derive_one_bounce(const Scene& scene, const Settings& settings, const Viewp
     }
     for (std::int32_t m = 0; m < plan.mirror_count; ++m) {
         MirrorPlan& mirror = plan.mirrors[m];
-        if (mirror.lobe.glossy) fill_chunk<float>(mirror.lattice, plan.sampling, mirror.lobe, 0, settings.samples);
+        if (!mirror.lobe.glossy || is_keyed(plan.sampling.estimator)) continue;
+        fill_chunk<float>(mirror.lattice, plan.sampling, mirror.lobe, 0, settings.samples);
     }
     if (plan.mirror_count > 0) derive_tile_corners(plan);
     derive_image_bounds(scene, eye, plan);

@@ -3,7 +3,7 @@
 
 #include "core/optics/directions.hpp"
 #include "core/optics/fresnel.hpp"
-#include "core/optics/lattice.hpp"
+#include "core/optics/point_sets.hpp"
 #include "core/optics/whitted.hpp"
 #include "tests/core/probes/shape_probes.hpp"
 
@@ -73,6 +73,19 @@ void probe_lattice(std::int32_t points, float inverse_exponent, const probes::Po
 }
 
 template <class R>
+void probe_set(Estimator rule, std::int32_t points, std::uint32_t key, std::uint32_t half, float* u, float* turn,
+               int count) {
+    std::uint32_t index[probes::kWidest];
+    for (int k = 0; k < count; k += kWidth<R>) {
+        for (int lane = 0; lane < kWidth<R>; ++lane) index[lane] = static_cast<std::uint32_t>(k + lane);
+        const SetPoint<R> p =
+            set_point<R>(rule, load_bits<R>(index), points, SetChoice<Bits<R>>{Bits<R>(key), Bits<R>(half)});
+        store(u + k, p.u);
+        store(turn + k, p.turn);
+    }
+}
+
+template <class R>
 void probe_weight(const float* cosine, float inverse_cosine_out, float* out, int count) {
     for (int k = 0; k < count; k += kWidth<R>) store(out + k, lobe_weight(load<R>(cosine + k), R(inverse_cosine_out)));
 }
@@ -94,7 +107,7 @@ void probe_light(const LightData& light, const SurfaceData& surface, const probe
 template <class R>
 constexpr probes::OpticsProbes optics_probes() {
     return {&probe_reflect<R>, &probe_mirror_direction<R>, &probe_refract<R>, &probe_fresnel<R>, &probe_tangents<R>,
-            &probe_lobe<R>,    &probe_lattice<R>,          &probe_weight<R>,  &probe_light<R>};
+            &probe_lobe<R>,    &probe_lattice<R>,          &probe_set<R>,     &probe_weight<R>,  &probe_light<R>};
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

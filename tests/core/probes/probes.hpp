@@ -96,6 +96,9 @@ struct OpticsProbes {
     void (*tangents)(Points m, const PointsOut& t, const PointsOut& b, int count);
     void (*lobe)(const float* u, const float* turn, float inverse_exponent, const PointsOut& out, int count);
     void (*lattice)(std::int32_t points, float inverse_exponent, const PointsOut& out, int count);
+    /// The first `count` points, or more, of a keyed rule's set of `points`.
+    void (*set)(Estimator rule, std::int32_t points, std::uint32_t key, std::uint32_t half, float* u, float* turn,
+                int count);
     void (*weight)(const float* cosine, float inverse_cosine_out, float* out, int count);
     void (*light)(const LightData& light, const SurfaceData& surface, const Rays& seen_from, Points n,
                   const PointsOut& rgb);  // rays: o the surface point, d the unit way to the viewer
