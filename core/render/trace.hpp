@@ -36,7 +36,7 @@ constexpr int kStackCapacity = kMaxBranchDepth + 2;
 template <class R>
 struct PathStack {
     PathPacket<R> packets[kStackCapacity];
-    LobeJob<R> lobe;  // of the only job
+    LobeJob<R> lobe{};  // of the only job
     LobeRows<R> rows;
     int count = 0;
 
