@@ -22,7 +22,7 @@ LightPicture rendered(const Renderer& renderer, const Scene& scene, const Settin
 }
 
 LightPicture rendered_exactly(const Renderer& renderer, const Scene& scene, const Settings& settings) {
-    return rendered(renderer, scene, settings, Number::floating);
+    return rendered(renderer, scene, settings, Number::double_precision);
 }
 
 }  // namespace zerkalo::study

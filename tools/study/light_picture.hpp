@@ -29,7 +29,8 @@ struct Interrupted : std::exception {};
 LightPicture rendered(const Renderer& renderer, const Scene& scene, const Settings& settings, Number number,
                       RayCounts* rays = nullptr);
 
-/// The same rays in double: the picture without the errors of arithmetic. Throws as rendered() does.
+/// The same rays in double: the picture without the errors of arithmetic, rounded to float once. Throws as rendered()
+/// does.
 LightPicture rendered_exactly(const Renderer& renderer, const Scene& scene, const Settings& settings);
 
 /// The values as they are.

@@ -14,8 +14,6 @@ struct Setting {
     std::int32_t antialias = 1;
 };
 
-constexpr const char* name_of(Number number) { return number == Number::fixed ? "fixed" : "float"; }
-
 /// For the renderer. `rotation` is one of the equally good placements of the lobe rays.
 inline Settings settings_of(const Setting& setting, const ImageSize& size, std::int32_t rotation) {
     Settings settings;
