@@ -3,7 +3,7 @@
 
 namespace zerkalo {
 
-/// What the kernels count with: float lanes, or fixed point.
+/// What the kernels count with: float lanes, fixed point, or double; and the names on the command line.
 enum class Number { floating, fixed, double_precision };
 constexpr const char* kNumberNames[] = {"float", "fixed", "double"};
 constexpr const char* name_of(Number number) { return kNumberNames[static_cast<int>(number)]; }
