@@ -47,9 +47,6 @@ constexpr auto kSineSeries = inverse_factorials<10>(1, 2, true);
 constexpr auto kCosineSeries = inverse_factorials<10>(0, 2, true);
 constexpr auto kLog2Series = log2_series<12>();
 
-// Adding it leaves the nearest integer in the low bits.
-constexpr double kToInteger = 0x1.8p+52;
-
 /// 2^x - 1 for |x| <= 1/2, relative error below 1e-15 also for tiny x.
 template <>
 ZERKALO_INLINE double exp2_minus_one(double x) {
@@ -61,8 +58,8 @@ ZERKALO_INLINE double exp2_minus_one(double x) {
 template <>
 ZERKALO_INLINE double exp2(double x) {
     const double clamped = max(min(x, 125.0), -125.0);
-    const double shifted = clamped + kToInteger;
-    const double p = exp2_minus_one(clamped - (shifted - kToInteger)) + 1;
+    const double shifted = clamped + kToWhole<double>;
+    const double p = exp2_minus_one(clamped - (shifted - kToWhole<double>)) + 1;
     return from_bits(to_bits(p) + (to_bits(shifted) << 52));
 }
 
@@ -83,8 +80,8 @@ ZERKALO_INLINE double log2_of(double u, double lost) {
 template <>
 ZERKALO_INLINE SineCosine<double> sincos_turn(double x) {
     // Quarter turns: x = q/4 + f, |f| <= 1/8.
-    const double shifted = x * 4 + kToInteger;
-    const double a = (x - (shifted - kToInteger) * 0.25) * 0x1.921fb54442d18p+2;
+    const double shifted = x * 4 + kToWhole<double>;
+    const double a = (x - (shifted - kToWhole<double>) * 0.25) * 0x1.921fb54442d18p+2;
     const double z = a * a;
     const double s = polynomial(kSineSeries, z) * a, c = polynomial(kCosineSeries, z);
     const std::uint64_t quadrant = to_bits(shifted);

@@ -4,7 +4,13 @@
 
 #include "core/numeric/lane.hpp"
 
+#include <limits>
+
 namespace zerkalo::inline ZERKALO_ISA {
+
+/// 1.5 times the T from which on all are whole: adding it leaves the nearest whole number in the low bits.
+template <class T>
+constexpr T kToWhole = T(3) / std::numeric_limits<T>::epsilon() / 2;
 
 /// 2^x - 1 for |x| <= 1/2, relative error below 1.4e-7 also for tiny x.
 template <class R>
@@ -23,8 +29,8 @@ template <class R>
 ZERKALO_INLINE R exp2(R x) {
     const R clamped = max(min(x, R(125)), R(-125));
     // Adding 1.5 * 2^23 leaves the nearest integer in the low bits.
-    const R shifted = clamped + R(12582912.0f);
-    const R f = clamped - (shifted - R(12582912.0f));
+    const R shifted = clamped + R(kToWhole<float>);
+    const R f = clamped - (shifted - R(kToWhole<float>));
     const R p = exp2_minus_one(f) + R(1);
     return from_bits(to_bits(p) + (to_bits(shifted) << 23));
 }
@@ -62,8 +68,8 @@ struct SineCosine {
 template <class R>
 ZERKALO_INLINE SineCosine<R> sincos_turn(R x) {
     // Quarter turns: x = q/4 + f, |f| <= 1/8.
-    const R shifted = x * R(4) + R(12582912.0f);
-    const R f = x - (shifted - R(12582912.0f)) * R(0.25f);
+    const R shifted = x * R(4) + R(kToWhole<float>);
+    const R f = x - (shifted - R(kToWhole<float>)) * R(0.25f);
     const R z = f * f;
     R s = R(-0x1.2d9b40p+6f);
     s = s * z + R(0x1.465ec4p+6f);

@@ -63,6 +63,18 @@ TEST(DoublePictures, OfUnpolishedMirrorsHaveTheSamplesOfFloat) {
     }
 }
 
+TEST(DoublePictures, OfEveryRuleHaveTheSamplesOfFloat) {
+    for (const auto& [name, scene] : shipped_scenes()) {
+        if (name != "gold-mirror-5" && name != "two-mirrors") continue;
+        for (int rule = 0; rule < kEstimatorCount; ++rule) {
+            Settings settings = of_size(160, 120);
+            settings.estimator = static_cast<Estimator>(rule);
+            settings.rotation = 3;
+            expect_float_picture(name + "-" + name_of(settings.estimator), scene, settings);
+        }
+    }
+}
+
 TEST(DoublePictures, OfManyCameraRaysHaveTheSamplesOfFloat) {
     for (const auto& [name, scene] : shipped_scenes()) {
         Settings settings = of_size(80, 60);

@@ -1,5 +1,5 @@
 // One lane of double: elementary functions within their bounds, and the sample points that float rounds.
-#include "core/optics/lattice.hpp"
+#include "core/optics/point_sets.hpp"
 
 #include "tests/core/support/random.hpp"
 
@@ -96,6 +96,26 @@ TEST(DoubleSamples, AreTheSharesThatFloatRounds) {
                 ASSERT_LE(std::abs(u - exact), exact * 0x1p-53L) << s << " of " << n;
                 // Float rounds the sum and the quotient.
                 ASSERT_LE(std::abs(share_point<float>(sampling, s, n) - u), u * 0x1p-23) << s << " of " << n;
+            }
+        }
+    }
+}
+
+TEST(DoubleSamples, OfEveryRuleAreThoseOfFloat) {
+    // Float keeps 23 bits, and rounds once or twice more.
+    constexpr double kRoom = 0x1p-21;
+    const SetChoice<std::uint32_t> sets[] = {{0x9abcdef0u, 0}, {77, 0x80000000u}};
+    for (const Estimator rule : {Estimator::random, Estimator::jittered, Estimator::sobol, Estimator::r2}) {
+        for (const std::int32_t n : {1, 2, 7, 16, 1000, 4096}) {
+            for (std::int32_t s = 0; s < n; ++s) {
+                for (const auto& set : sets) {
+                    const auto index = static_cast<std::uint32_t>(s);
+                    const SetPoint<float> rounded = set_point<float>(rule, index, n, set);
+                    const SetPoint<double> exact = set_point<double>(rule, index, n, set);
+                    SCOPED_TRACE(testing::Message() << name_of(rule) << ", " << s << " of " << n);
+                    ASSERT_LE(std::abs(rounded.u - exact.u), kRoom);
+                    ASSERT_LE(std::abs(rounded.turn - exact.turn), kRoom);
+                }
             }
         }
     }
