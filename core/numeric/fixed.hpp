@@ -42,7 +42,7 @@ template <class A, class B, int F>
 template <class A, int F>
 [[gnu::const]] ZERKALO_INLINE constexpr Fixed<A, F> operator-(Fixed<A, F> a) {
     using T = LaneElement<A>;
-    return with_fraction<F>(each_lane([](T x) { return static_cast<T>(-x); }, a.raw));
+    return with_fraction<F>(each_lane([](T x) { return checked_product<T>(x, -1, "-x"); }, a.raw));
 }
 template <class A, class B, int F>
     requires SameElement<A, B>

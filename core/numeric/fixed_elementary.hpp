@@ -56,7 +56,7 @@ constexpr LogStops kLogStops = log_stops();
 ZERKALO_INLINE constexpr std::int64_t minus_log2_of(std::int64_t y) {
     if (y >= kOne60) return 0;
     const int zeros = leading_zeros(static_cast<std::uint64_t>(y));
-    const std::uint64_t m = static_cast<std::uint64_t>(y) << zeros;  // y = m / 2^63 * 2^(3 - zeros), 1 <= m / 2^63 < 2
+    const std::uint64_t m = checked_shift(static_cast<std::uint64_t>(y), zeros, "log2");  // y = m / 2^63 * 2^(3 - zeros), 1 <= m / 2^63 < 2
     // v = m / 2^63 or half of it, in sqrt(1/2) .. sqrt(2); the nearest stop k / 64; d = (64 v - k) 2^58.
     const bool halved = m >= 0xb504f333f9de6484u;
     const int wide = halved ? 58 : 57;
@@ -92,7 +92,7 @@ constexpr std::array<std::uint64_t, 64> kExpStops = exp_stops();
 
 /// 1 - 2^-e, times 2^60, of e 2^57 with e >= 0. Error below 2^-29 of the result, also for tiny e, and 2^-57.
 ZERKALO_INLINE constexpr std::int64_t one_minus_exp2_of(std::int64_t e) {
-    const auto whole = static_cast<int>(e >> 57);
+    const auto whole = checked_narrow<int>(e >> 57, "exp2");
     if (whole >= 60) return kOne60;
     const auto stop = static_cast<std::size_t>((e >> 51) & 63);
     const std::int64_t r = e & ((std::int64_t{1} << 51) - 1);  // r / 2^57 < 1/64
@@ -106,8 +106,10 @@ ZERKALO_INLINE constexpr std::int64_t one_minus_exp2_of(std::int64_t e) {
     bracket = kOne - ((z * bracket) >> 30) / 2;
     const std::int64_t q = rescaled_wide_product<std::int64_t, 37>(y, bracket);  // 67 + 30 - 60
     const std::uint64_t scale = kExpStops[stop];
-    const std::uint64_t lost = rescaled_wide<62>(scale, static_cast<std::uint64_t>(q));
-    const std::uint64_t rest = ((scale + 2) >> 2) - lost;  // 2^-(fraction of e), times 2^60
+    const std::uint64_t lost = rescaled_wide<62>(scale, checked_narrow<std::uint64_t>(q, "exp2"));
+    const auto rest = checked_narrow<std::uint64_t>(static_cast<std::int64_t>((scale + 2) >> 2) -
+                                                        checked_narrow<std::int64_t>(lost, "exp2"),
+                                                    "exp2");  // 2^-(fraction of e), times 2^60
     const std::uint64_t half = whole == 0 ? 0 : std::uint64_t{1} << (whole - 1);
     return kOne60 - static_cast<std::int64_t>((rest + half) >> whole);
 }
@@ -130,8 +132,8 @@ ZERKALO_INLINE constexpr IntegerSineCosine sine_cosine_of_phase(std::uint32_t ph
         s = (((kOne - s) * z) >> 31) / (n * (n + 1));
         c = (((kOne - c) * z) >> 31) / (n * (n - 1));
     }
-    const auto sine = static_cast<std::int32_t>(rescaled<std::int64_t, 32>(a * (kOne - s)));
-    const auto cosine = static_cast<std::int32_t>((kOne - c + 1) >> 1);
+    const auto sine = checked_narrow<std::int32_t>(rescaled<std::int64_t, 32>(a * (kOne - s)), "sine");
+    const auto cosine = checked_narrow<std::int32_t>((kOne - c + 1) >> 1, "cosine");
     switch (quarter & 3) {
         case 0: return {sine, cosine};
         case 1: return {cosine, -sine};
@@ -189,15 +191,17 @@ ZERKALO_INLINE IntegerUnit unit_of_integers(std::int64_t x, std::int64_t y, std:
     const int up = leading_zeros(largest) - 33;
     const auto shifted = [up](std::int64_t a) {
         if (up >= 0) return a * (std::int64_t{1} << up);
-        const std::uint64_t size = (magnitude_of(a) + (std::uint64_t{1} << (-up - 1))) >> -up;
+        const std::uint64_t size = checked_sum(magnitude_of(a), std::uint64_t{1} << (-up - 1), "unit") >> -up;
         return a < 0 ? -static_cast<std::int64_t>(size) : static_cast<std::int64_t>(size);
     };
     const std::int64_t a = shifted(x), b = shifted(y), c = shifted(z);
-    const std::uint64_t length = nearest_root_of(static_cast<std::uint64_t>(a * a) + static_cast<std::uint64_t>(b * b) +
-                                                 static_cast<std::uint64_t>(c * c));
+    const auto square = [](std::int64_t size) { return static_cast<std::uint64_t>(size * size); };
+    const std::uint64_t length =
+        nearest_root_of(checked_sum(checked_sum(square(a), square(b), "unit"), square(c), "unit"));
     const auto inverse = static_cast<std::int64_t>(((std::uint64_t{1} << 62) + length / 2) / length);
     const auto share = [inverse](std::int64_t size) { return rescaled<std::int32_t, 32>(size * inverse); };
-    const std::uint64_t whole = up > 0 ? (length + (std::uint64_t{1} << (up - 1))) >> up : length << -up;
+    const std::uint64_t whole =
+        up > 0 ? (length + (std::uint64_t{1} << (up - 1))) >> up : checked_shift(length, -up, "unit");
     return {share(a), share(b), share(c), saturated<std::int64_t>(whole, false)};
 }
 

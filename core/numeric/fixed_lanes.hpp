@@ -139,7 +139,7 @@ ZERKALO_INLINE constexpr std::uint64_t magnitude_of(std::int64_t x) {
 template <std::signed_integral T>
 ZERKALO_INLINE constexpr T saturated(std::uint64_t magnitude, bool negative) {
     constexpr auto kLimit = static_cast<std::uint64_t>(kLargest<T>);
-    const T x = static_cast<T>(magnitude < kLimit ? magnitude : kLimit);
+    const T x = checked_narrow<T>(magnitude < kLimit ? magnitude : kLimit, "saturated");
     return negative ? static_cast<T>(-x) : x;
 }
 
@@ -163,10 +163,10 @@ ZERKALO_INLINE constexpr To rescaled(std::int64_t x) {
     static_assert(Shift > -63 && Shift < 63);
     std::uint64_t size = magnitude_of(x);
     if constexpr (Shift > 0) {
-        size = (size + (std::uint64_t{1} << (Shift - 1))) >> Shift;
+        size = checked_sum(size, std::uint64_t{1} << (Shift - 1), "rescaled") >> Shift;
     } else if constexpr (Shift < 0) {
         constexpr std::uint64_t kFits = ~std::uint64_t{0} >> -Shift;
-        size = size > kFits ? ~std::uint64_t{0} : size << -Shift;
+        size = size > kFits ? ~std::uint64_t{0} : checked_shift(size, -Shift, "rescaled");
     }
     return saturated<To>(size, x < 0);
 }
@@ -176,15 +176,19 @@ template <std::signed_integral To, int Shift>
 ZERKALO_INLINE constexpr To rescaled_product(std::int32_t a, std::int64_t b) {
     static_assert(Shift > 0 && Shift < 96);
     const std::uint64_t x = magnitude_of(a), y = magnitude_of(b);
-    const std::uint64_t low = x * (y & 0xffffffffu);
-    const std::uint64_t high = x * (y >> 32) + (low >> 32);
+    const std::uint64_t low = checked_product(x, y & 0xffffffffu, "rescaled_product");
+    const std::uint64_t carried = checked_product(x, y >> 32, "rescaled_product");
+    const std::uint64_t high = checked_sum(carried, low >> 32, "rescaled_product");
     const bool negative = (a < 0) != (b < 0);
     if constexpr (Shift > 32) {
-        return saturated<To>((high + (std::uint64_t{1} << (Shift - 33))) >> (Shift - 32), negative);
+        constexpr std::uint64_t kHalf = std::uint64_t{1} << (Shift - 33);
+        return saturated<To>(checked_sum(high, kHalf, "rescaled_product") >> (Shift - 32), negative);
     } else {
         const std::uint64_t rest = ((low & 0xffffffffu) + (std::uint64_t{1} << (Shift - 1))) >> Shift;
         const bool fits = high >> (30 + Shift) == 0;
-        return saturated<To>(fits ? (high << (32 - Shift)) + rest : ~std::uint64_t{0}, negative);
+        if (!fits) return saturated<To>(~std::uint64_t{0}, negative);
+        const std::uint64_t whole = checked_shift(high, 32 - Shift, "rescaled_product");
+        return saturated<To>(checked_sum(whole, rest, "rescaled_product"), negative);
     }
 }
 
@@ -195,9 +199,10 @@ struct Wide {
 ZERKALO_INLINE constexpr Wide wide_product(std::uint64_t a, std::uint64_t b) {
     constexpr std::uint64_t kHalf = 0xffffffffu;
     const std::uint64_t low = (a & kHalf) * (b & kHalf);
-    const std::uint64_t one = (a >> 32) * (b & kHalf) + (low >> 32);
-    const std::uint64_t two = (a & kHalf) * (b >> 32) + (one & kHalf);
-    return {(a >> 32) * (b >> 32) + (one >> 32) + (two >> 32), (two << 32) | (low & kHalf)};
+    const std::uint64_t one = checked_sum((a >> 32) * (b & kHalf), low >> 32, "wide_product");
+    const std::uint64_t two = checked_sum((a & kHalf) * (b >> 32), one & kHalf, "wide_product");
+    const std::uint64_t high = checked_sum((a >> 32) * (b >> 32), (one >> 32) + (two >> 32), "wide_product");
+    return {high, (two << 32) | (low & kHalf)};
 }
 
 /// a b / 2^Shift of the exact 128-bit product, to nearest, ties upwards; all bits set where 64 are too few.
@@ -223,9 +228,9 @@ ZERKALO_INLINE constexpr int leading_zeros(std::uint64_t x) { return __builtin_c
 template <std::signed_integral To, int Shift>
 ZERKALO_INLINE constexpr To rounded_quotient(std::int64_t a, std::int64_t b) {
     const std::uint64_t divisor = magnitude_of(b);
-    const std::uint64_t dividend = magnitude_of(a) << Shift;
+    const std::uint64_t dividend = checked_shift(magnitude_of(a), Shift, "rounded_quotient");
     if (divisor == 0) return saturated<To>(std::numeric_limits<std::uint64_t>::max(), a < 0);
-    return saturated<To>((dividend + divisor / 2) / divisor, (a < 0) != (b < 0));
+    return saturated<To>(checked_sum(dividend, divisor / 2, "rounded_quotient") / divisor, (a < 0) != (b < 0));
 }
 
 /// a 2^Shift / b where the shifted dividend need not fit into 64 bits: off by at most one step and 2^-30 of the
@@ -239,9 +244,11 @@ ZERKALO_INLINE constexpr To long_quotient(std::int64_t a, std::int64_t b) {
     const int room = leading_zeros(x) - 1;
     const int up = room < Shift ? room : Shift;
     // Bits of the divisor for which the dividend has no room: they count only where the quotient is out of range.
-    const std::uint64_t divisor = up == Shift ? y : (y + (std::uint64_t{1} << (Shift - up - 1))) >> (Shift - up);
+    const std::uint64_t half = up == Shift ? 0 : std::uint64_t{1} << (Shift - up - 1);
+    const std::uint64_t divisor = checked_sum(y, half, "long_quotient") >> (Shift - up);
     if (divisor == 0) return saturated<To>(~std::uint64_t{0}, negative);
-    return saturated<To>(((x << up) + divisor / 2) / divisor, negative);
+    const std::uint64_t dividend = checked_shift(x, up, "long_quotient");
+    return saturated<To>(checked_sum(dividend, divisor / 2, "long_quotient") / divisor, negative);
 }
 
 /// 2^Shift / x for x >= 0 with a relative error below 2^-30, and one step; held at the end of To.
@@ -250,11 +257,11 @@ ZERKALO_INLINE constexpr To integer_reciprocal(std::int64_t x) {
     if (x <= 0) return kLargest<To>;
     const int zeros = leading_zeros(static_cast<std::uint64_t>(x));
     // x is nearly m 2^(32 - zeros), with 32 bits of m.
-    const std::uint64_t m = (static_cast<std::uint64_t>(x) << zeros) >> 32;
+    const std::uint64_t m = checked_shift(static_cast<std::uint64_t>(x), zeros, "integer_reciprocal") >> 32;
     const std::uint64_t inverse = (std::uint64_t{1} << 63) / m;
     const int up = Shift - 95 + zeros;
     if (up > 31) return kLargest<To>;
-    if (up >= 0) return saturated<To>(inverse << up, false);
+    if (up >= 0) return saturated<To>(checked_shift(inverse, up, "integer_reciprocal"), false);
     return saturated<To>(up < -33 ? 0 : (inverse + (std::uint64_t{1} << (-up - 1))) >> -up, false);
 }
 

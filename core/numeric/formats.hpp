@@ -2,7 +2,7 @@
 // namespaces, so that all kernels read one plan; the arithmetic is theirs (number.hpp, fixed.hpp).
 #pragma once
 
-#include "core/numeric/isa.hpp"
+#include "core/numeric/checked.hpp"
 
 #include <concepts>
 #include <cstdint>
@@ -107,7 +107,7 @@ private:
         constexpr Element kMost = kLargest<Element> >> FracBits;
         if (whole > kMost) return kLargest<Element>;
         if (whole < -kMost) return -kLargest<Element>;
-        return static_cast<Element>(Element{whole} * (Element{1} << FracBits));
+        return checked_product<Element>(whole, Element{1} << FracBits, "a whole number");
     }
 };
 

@@ -25,13 +25,13 @@ constexpr std::array<std::uint16_t, 192> kInverseRoots = [] {
 /// An integer at most one away from the root of x > 0 rounded down.
 ZERKALO_INLINE constexpr std::uint64_t estimated_root_of_integers(std::uint64_t x) {
     const int even = leading_zeros(x) & ~1;
-    const std::uint64_t m = x << even;  // 2^62 <= m < 2^64
+    const std::uint64_t m = checked_shift(x, even, "root");  // 2^62 <= m < 2^64
     std::uint64_t y = std::uint64_t{kInverseRoots[(m >> 56) - 64]} << 22;  // 1 / sqrt(m / 2^64), times 2^30
     for (int step = 0; step < 2; ++step) {
-        const std::uint64_t product = ((m >> 32) * ((y * y) >> 30)) >> 32;
-        y = (y * ((std::uint64_t{3} << 30) - product)) >> 31;
+        const std::uint64_t product = checked_product(m >> 32, checked_product(y, y, "root") >> 30, "root") >> 32;
+        y = checked_product(y, (std::uint64_t{3} << 30) - product, "root") >> 31;
     }
-    std::uint64_t root = ((m >> 32) * y) >> 30;
+    std::uint64_t root = checked_product(m >> 32, y, "root") >> 30;
     const auto rest = static_cast<std::int64_t>(m - root * root);
     root += static_cast<std::uint64_t>(((rest >> 8) * static_cast<std::int64_t>(y)) >> 55);
     return root >> (even / 2);

@@ -7,39 +7,6 @@
 
 namespace zerkalo::laws {
 
-Material glowing(const Rgb<double>& color) {
-    Material material;
-    material.color = color;
-    material.ambient = 1;
-    material.diffuse = material.specular = 0;
-    return material;
-}
-
-Material chalk() {
-    Material material;
-    material.color = {1, 1, 1};
-    material.diffuse = 1;
-    material.ambient = material.specular = 0;
-    return material;
-}
-
-Material clear_glass(double refractive_index) {
-    Material material;
-    material.ambient = material.diffuse = material.specular = 0;
-    material.transmission = 1;
-    material.refractive_index = refractive_index;
-    return material;
-}
-
-Solid ball(const Vec3<double>& centre, double radius, const Material& material) {
-    Solid solid;
-    solid.kind = SolidKind::sphere;
-    solid.position = centre;
-    solid.radius = radius;
-    solid.material = material;
-    return solid;
-}
-
 Solid box(const Vec3<double>& base_centre, double side, double height, const Material& material) {
     Solid solid;
     solid.kind = SolidKind::prism;
@@ -51,26 +18,6 @@ Solid box(const Vec3<double>& base_centre, double side, double height, const Mat
     solid.material = material;
     return solid;
 }
-
-Light lamp(const Vec3<double>& position) {
-    Light light;
-    light.position = position;
-    return light;
-}
-
-Mirror ideal_mirror(const Vec3<double>& position, const Vec3<double>& normal, double side) {
-    Mirror mirror;
-    mirror.position = position;
-    mirror.normal = normal;
-    mirror.boundary.width = mirror.boundary.height = side;
-    mirror.ambient = mirror.diffuse = mirror.specular = 0;
-    mirror.reflection = 1;
-    return mirror;
-}
-
-void add(Scene& scene, const Solid& solid) { scene.solids[scene.solid_count++] = solid; }
-void add(Scene& scene, const Light& light) { scene.lights[scene.light_count++] = light; }
-void add(Scene& scene, const Mirror& mirror) { scene.mirrors[scene.mirror_count++] = mirror; }
 
 void add_five_solids(Scene& scene, double z) {
     const SolidKind kinds[] = {SolidKind::sphere, SolidKind::cone, SolidKind::prism, SolidKind::pyramid,
@@ -114,14 +61,6 @@ Scene five_solids_before_mirror_aslant(double curvature_radius) {
     add(scene, mirror);
     scene.camera = camera_at({0.7, 2.1, 6}, {-0.1, -0.15, -1}, 0.8);
     return scene;
-}
-
-Camera camera_at(const Vec3<double>& position, const Vec3<double>& view, double fov) {
-    Camera camera;
-    camera.position = position;
-    camera.view = view;
-    camera.fov = fov;
-    return camera;
 }
 
 Rgb<float> look(Scene scene, const Vec3<double>& origin, const Vec3<double>& view, const Settings& settings) {

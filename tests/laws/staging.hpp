@@ -2,35 +2,18 @@
 #pragma once
 
 #include "tests/laws/rendering.hpp"
+#include "tools/staging.hpp"
 
 #include <numbers>
 
 namespace zerkalo::laws {
 
+using namespace staging;
+
 constexpr double kPi = std::numbers::pi;
-
-/// A surface that shows its colour whatever the light: C = color, K_a = 1, all else 0.
-Material glowing(const Rgb<double>& color);
-
-/// A surface of which only the matte share is left: K_d = 1, white.
-Material chalk();
-
-/// K_t = 1 and nothing else.
-Material clear_glass(double refractive_index);
-
-Solid ball(const Vec3<double>& centre, double radius, const Material& material);
 
 /// A prism of four sides whose square base has that side, its axis upwards, its faces along the axes.
 Solid box(const Vec3<double>& base_centre, double side, double height, const Material& material);
-
-Light lamp(const Vec3<double>& position);
-
-/// A polished rectangle that only reflects, all of it, and faces along `normal`.
-Mirror ideal_mirror(const Vec3<double>& position, const Vec3<double>& normal, double side);
-
-void add(Scene& scene, const Solid& solid);
-void add(Scene& scene, const Light& light);
-void add(Scene& scene, const Mirror& mirror);
 
 /// A sphere, a cone, a prism, a pyramid and a cylinder, turned every way, about the point (0, 1, z).
 void add_five_solids(Scene& scene, double z);
@@ -40,9 +23,6 @@ Scene simple_scene();
 
 /// The five solids under two lamps before a mirror of this curvature radius that faces aside and shines.
 Scene five_solids_before_mirror_aslant(double curvature_radius);
-
-/// A camera at `position` that looks along `view`, `fov` radians across.
-Camera camera_at(const Vec3<double>& position, const Vec3<double>& view, double fov);
 
 /// What arrives at `origin` from the direction `view` (any length), by the renderer: with every instruction set that
 /// this CPU has, to the same bits. Throws std::runtime_error where they are not.

@@ -2,10 +2,15 @@
 #pragma once
 
 #include "tests/support/reference.hpp"
+#include "tools/staging.hpp"
 
 #include <numbers>
 
 namespace zerkalo::reference {
+
+using staging::add;
+using staging::glowing;
+using staging::lamp;
 
 constexpr double kPi = std::numbers::pi;
 constexpr std::uint64_t kSeed = 20240607;
@@ -21,15 +26,6 @@ inline Color look(const Scene& scene, const Vector& origin, const Vector& direct
                   unsigned lobe_samples = 1) {
     Random random(kSeed);
     return Tracer(scene, depth(depth_limit), lobe_samples).radiance({origin, normalized(direction)}, random);
-}
-
-/// A solid that shows its colour and answers to no light: C = color, K_a = 1, all else 0.
-inline Material glowing(const Rgb<double>& color) {
-    Material material;
-    material.color = color;
-    material.ambient = 1;
-    material.diffuse = material.specular = 0;
-    return material;
 }
 
 /// A mirror that only reflects, all of it: disc of that radius at the origin, facing +z.
@@ -48,16 +44,6 @@ inline Solid ball(const Vec3<double>& center, double radius) {
     solid.position = center;
     solid.radius = radius;
     return solid;
-}
-
-inline void add(Scene& scene, const Solid& solid) { scene.solids[scene.solid_count++] = solid; }
-inline void add(Scene& scene, const Mirror& mirror) { scene.mirrors[scene.mirror_count++] = mirror; }
-inline void add(Scene& scene, const Light& light) { scene.lights[scene.light_count++] = light; }
-
-inline Light lamp(const Vec3<double>& position) {
-    Light light;
-    light.position = position;
-    return light;
 }
 
 }  // namespace zerkalo::reference

@@ -4,6 +4,7 @@
 
 #include "core/render/render.hpp"
 #include "tools/number.hpp"
+#include "tools/staging.hpp"
 
 #include <memory>
 #include <stdexcept>
@@ -11,6 +12,8 @@
 #include <vector>
 
 namespace zerkalo::stability {
+
+using namespace staging;
 
 /// A case met a scene that prepare() refuses: a fault of the case, or one that fixed point cannot hold.
 struct Refused : std::runtime_error {
@@ -92,28 +95,5 @@ int pixels_apart(const Picture& a, const Picture& b, double tolerance = 0);
 
 /// The largest difference of a channel; infinite where one holds a NaN or the sizes differ.
 double largest_difference(const Picture& a, const Picture& b);
-
-/// A surface that shows its colour whatever the light: C = color, K_a = 1, all else 0.
-Material glowing(const Rgb<double>& color);
-
-/// A surface of which only the matte share is left: K_d = 1, white.
-Material chalk();
-
-Solid ball(const Vec3<double>& centre, double radius, const Material& material);
-
-/// A pyramid, prism, cylinder or cone on its base.
-Solid upright(SolidKind kind, const Vec3<double>& base, double radius, double height, const Material& material);
-
-Light lamp(const Vec3<double>& position);
-
-/// A polished square that only reflects, all of it, and faces along `normal`.
-Mirror ideal_mirror(const Vec3<double>& position, const Vec3<double>& normal, double side);
-
-/// A camera at `position` that looks along `view`, `fov` radians across.
-Camera camera_at(const Vec3<double>& position, const Vec3<double>& view, double fov);
-
-void add(Scene& scene, const Solid& solid);
-void add(Scene& scene, const Light& light);
-void add(Scene& scene, const Mirror& mirror);
 
 }  // namespace zerkalo::stability
