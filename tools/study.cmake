@@ -1,12 +1,17 @@
 # Error against run time: what `zerkalo study` does. Compiled once for both programs and for its tests.
 add_library(zerkalo_study OBJECT
+  study/crops.cpp
+  study/diagrams.cpp
   study/error_figures.cpp
+  study/gnuplot_script.cpp
+  study/goals.cpp
   study/join.cpp
   study/journal.cpp
   study/light_picture.cpp
   study/plan.cpp
   study/references.cpp
   study/regions.cpp
+  study/report.cpp
   study/results.cpp
   study/row_runner.cpp
   study/row_text.cpp

@@ -24,14 +24,20 @@ Estimate slope_of(const Series& series, Region region) {
 }  // namespace
 
 std::vector<Series> series_of(const std::vector<Row>& rows) {
+    std::vector<const Row*> pointers;
+    for (const Row& row : rows) pointers.push_back(&row);
+    return series_of(pointers);
+}
+
+std::vector<Series> series_of(const std::vector<const Row*>& rows) {
     std::vector<Series> all;
-    for (const Row& row : rows) {
-        auto place = std::find_if(all.begin(), all.end(), [&](const Series& s) { return belongs(s, row); });
+    for (const Row* row : rows) {
+        auto place = std::find_if(all.begin(), all.end(), [&](const Series& s) { return belongs(s, *row); });
         if (place == all.end()) {
-            all.push_back({row.scene, row.number, row.estimator, row.antialias, {}, {}});
+            all.push_back({row->scene, row->number, row->estimator, row->antialias, {}, {}});
             place = all.end() - 1;
         }
-        place->rows.push_back(&row);
+        place->rows.push_back(row);
     }
     for (Series& series : all) {
         std::stable_sort(series.rows.begin(), series.rows.end(),
@@ -41,6 +47,22 @@ std::vector<Series> series_of(const std::vector<Row>& rows) {
         }
     }
     return all;
+}
+
+std::vector<std::string> scenes_of(const std::vector<Row>& rows) {
+    std::vector<std::string> scenes;
+    for (const Row& row : rows) {
+        if (std::find(scenes.begin(), scenes.end(), row.scene) == scenes.end()) scenes.push_back(row.scene);
+    }
+    return scenes;
+}
+
+std::vector<const Row*> rows_of_scene(const std::vector<Row>& rows, const std::string& scene) {
+    std::vector<const Row*> of_scene;
+    for (const Row& row : rows) {
+        if (row.scene == scene) of_scene.push_back(&row);
+    }
+    return of_scene;
 }
 
 const Series& series_with(const std::vector<Series>& all, const Row& row) {

@@ -24,7 +24,12 @@ inline double error_in(const Row& row, Region region) { return row.of(region).ov
 
 /// In the order of their first rows. A slope uses the rows whose error in the region the references can tell.
 /// `rows` must outlive the result.
+std::vector<Series> series_of(const std::vector<const Row*>& rows);
 std::vector<Series> series_of(const std::vector<Row>& rows);
+
+/// The names of the scenes, in the order of their first rows, and the rows of one.
+std::vector<std::string> scenes_of(const std::vector<Row>& rows);
+std::vector<const Row*> rows_of_scene(const std::vector<Row>& rows, const std::string& scene);
 
 /// The series that holds `row`.
 const Series& series_with(const std::vector<Series>& all, const Row& row);

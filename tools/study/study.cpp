@@ -1,13 +1,17 @@
 #include "tools/study/study.hpp"
 
+#include "tools/study/crops.hpp"
+#include "tools/study/diagrams.hpp"
 #include "tools/study/join.hpp"
 #include "tools/study/journal.hpp"
+#include "tools/study/report.hpp"
 #include "tools/study/results.hpp"
 #include "tools/zerkalo/failure.hpp"
 #include "tools/zerkalo/messages.hpp"
 #include "tools/zerkalo/progress.hpp"
 
 #include <charconv>
+#include <cstdio>
 #include <map>
 #include <set>
 
@@ -72,6 +76,29 @@ private:
                                                 done, all, options.folder.c_str()));
 }
 
+void draw_all_crops(const StudyPlan& plan, const StudyOptions& options, FactsOfScenes& scenes,
+                    const std::vector<Row>& rows) {
+    for (std::size_t i = 0; i < plan.scenes.size(); ++i) {
+        const int scene = static_cast<int>(i);
+        const std::vector<const Row*> of_scene = rows_of_scene(rows, plan.scenes[i].name);
+        const SceneFacts& facts = scenes.facts_of({scene, Number::floating, {}, 1, plan.wish.antialias.front()});
+        draw_crops(options.folder, plan, scene, of_scene, facts, options.renderer);
+    }
+}
+
+void write_everything(const std::string& folder, const std::string& plan_text, const std::vector<Row>& rows,
+                      bool crops) {
+    write_results(folder, plan_text, rows);
+    const bool drawn = draw_diagrams(folder, rows);
+    write_text(folder + "/study.md", report_text(rows, plan_text, drawn, crops));
+    if (!drawn) {
+        std::fprintf(stderr,
+                     "zerkalo: note: gnuplot (Debian package gnuplot-nox) is missing: %s/diagrams has the data and the "
+                     "scripts, but no pictures\n",
+                     folder.c_str());
+    }
+}
+
 }  // namespace
 
 void run_study(const StudyPlan& plan, const StudyOptions& options) {
@@ -94,7 +121,14 @@ void run_study(const StudyPlan& plan, const StudyOptions& options) {
     } catch (const Interrupted&) {
         give_up(options, journal.rows().size(), settings.size());
     }
-    if (options.shard.of == 1) write_results(options.folder, plan.text, in_plan_order(plan, journal.rows()));
+    if (options.shard.of > 1) return;
+    const std::vector<Row> rows = in_plan_order(plan, journal.rows());
+    try {
+        draw_all_crops(plan, options, scenes, rows);
+    } catch (const Interrupted&) {
+        give_up(options, rows.size(), settings.size());
+    }
+    write_everything(options.folder, plan.text, rows, true);
 }
 
 void join_study(const std::vector<std::string>& folders, const StudyOptions& options) {
@@ -105,7 +139,7 @@ void join_study(const std::vector<std::string>& folders, const StudyOptions& opt
     for (const Row& row : all.rows) {
         if (there.count(key_of(row)) == 0) journal.append(row);
     }
-    write_results(options.folder, all.plan_text, all.rows);
+    write_everything(options.folder, all.plan_text, all.rows, false);
 }
 
 std::optional<Shard> shard_of(const std::string& text) {
