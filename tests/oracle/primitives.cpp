@@ -173,9 +173,9 @@ Instance next_triangle(Random& random) {
 const std::vector<Primitive>& primitives() {
     static const std::vector<Primitive> all = {
         {"sphere", [](Random& r) { return next_solid(r, SolidKind::sphere); }},
-        {"cylinder", [](Random& r) { return next_tube(r, 1); }},
+        {"cylinder", [](Random& r) { return next_tube(r, 1); }, 5},
         {"cone", [](Random& r) { return next_tube(r, 0); }},
-        {"frustum", [](Random& r) { return next_tube(r, power_of_two(r, -3, 2)); }},
+        {"frustum", [](Random& r) { return next_tube(r, power_of_two(r, -3, 2)); }, 5},
         {"prism", [](Random& r) { return next_solid(r, SolidKind::prism); }},
         {"pyramid", [](Random& r) { return next_solid(r, SolidKind::pyramid); }},
         {"plane_mirror", next_plane_mirror},

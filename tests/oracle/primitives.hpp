@@ -28,6 +28,7 @@ struct Instance {
 struct Primitive {
     const char* name;
     Instance (*next)(Random& random);
+    Real80 recentred_ulps = 4;  // of t times the cosine of incidence, of rays that start nearest to the centre
 };
 /// How GoogleTest prints the parameter.
 inline void PrintTo(const Primitive& primitive, std::ostream* out) { *out << primitive.name; }
