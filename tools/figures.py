@@ -261,7 +261,7 @@ def kernels(bench):
     report = json.loads(bench.run("bench", "--filter", chosen, "--min-time", seconds, "--json"))
     times = {entry["name"]: entry["ns/ray"] for entry in report["benchmarks"]}
     names = dict.fromkeys(name.rsplit("/", 1)[0] for name in times)
-    print("Nanoseconds of processor time per ray; [bench](#bench) says which rays.\n")
+    print("Nanoseconds of processor time per ray; [bench](../README.md#bench) says which rays.\n")
     rows = [[name, *(f"{times[f'{name}/{isa}']:.2f}" for isa in bench.names)] for name in names]
     print_table(["", *bench.names], rows)
     print(f"\n    zerkalo bench --filter '{chosen}' --min-time {seconds}")

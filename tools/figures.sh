@@ -8,7 +8,7 @@ Usage: tools/figures.sh [--quick] [--program FILE] [OUT.md]
        tools/figures.sh [--program FILE] --update
 
 Prints the figures to standard output, or into OUT.md.
---update   writes them into the section "Figures" of tools/README.md instead
+--update   writes them into tools/figures/README.md instead
 --quick    fewer frames and rounds, to see that it works: half a minute instead of three
 --program  the zerkalo to measure, default build/release/tools/zerkalo
 
@@ -37,13 +37,13 @@ while [ $# -gt 0 ]; do
     shift
 done
 if $update; then
-    [ "${#quick[@]}$out" = 0 ] || fail "--update wants the whole run and writes tools/README.md alone" 2
-    out=$root/tools/README.md
+    [ "${#quick[@]}$out" = 0 ] || fail "--update wants the whole run and writes tools/figures/README.md alone" 2
+    out=$root/tools/figures/README.md
 fi
 begin='<!-- figures: begin -->'
 end='<!-- figures: end -->'
 
-# marker TEXT: how often tools/README.md has this line.
+# marker TEXT: how often tools/figures/README.md has this line.
 marker() { grep -cxF -- "$1" "$out" || true; }
 
 if $update && [ "$(marker "$begin") $(marker "$end")" != "1 1" ]; then
