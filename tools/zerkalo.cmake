@@ -15,6 +15,7 @@ add_library(zerkalo_commands OBJECT
   zerkalo/picture_difference.cpp
   zerkalo/difference_map.cpp
   zerkalo/frame.cpp
+  zerkalo/refine.cpp
   zerkalo/render_command.cpp
   zerkalo/compare_command.cpp
   zerkalo/show_command.cpp

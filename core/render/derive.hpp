@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/render/constants.hpp"
+#include "core/status.hpp"
 
 namespace zerkalo {
 
@@ -73,6 +74,17 @@ void hull_of(const Mirror& mirror, Hull& hull);
 template <class F>
 void derive_mirror(const Mirror& mirror, const Rgb<double>& ambient, const PlanHead& plan, const Constants<F>& to,
                    MirrorPlanOf<F>& out);
+
+/// The cone that holds the lobe rays of one pass, of a lobe cos^n; in a survey, those of any number of samples.
+template <class F>
+void derive_cone(double n, const PlanHead& plan, bool survey, const Constants<F>& to, LobeDataOf<F>& lobe);
+
+/// Samples and rotation, and what depends on them: cones and first lattice points of the unpolished mirrors.
+template <class F>
+void place_lobe_rays(PlanOf<F>& plan, const Pass& pass);
+
+/// Are they numbers of lobe rays and of a rotation?
+Status check_pass(const Pass& pass);
 
 template <class F>
 LightDataOf<F> derive_light(const Light& light, const Constants<F>& to);

@@ -17,32 +17,11 @@ double distance_from_axis(double u, double exponent) {
 }
 
 template <class F>
-LobeDataOf<F> lobe_of(const Mirror& mirror, const PlanHead& plan, const Constants<F>& to) {
+LobeDataOf<F> lobe_of(const Mirror& mirror, const Constants<F>& to) {
     LobeDataOf<F> lobe{};
-    const double n = mirror.lobe_exponent;
-    lobe.glossy = n < kInfinity;
+    lobe.glossy = mirror.lobe_exponent < kInfinity;
     lobe.max_phong = mirror.lobe == Lobe::max_phong;
-    if (!lobe.glossy) return lobe;
-    lobe.inverse_exponent = to.share(1 / (n + 1));
-    const double widest = least_share(plan.sampling, plan.samples);
-    // Room for the rounding of lattice and frame: both far below 2^-18.
-    constexpr double kRoom = 0x1p-18;
-    const auto cone = [&](double u) {
-        const double from_axis = distance_from_axis(u, n) * (1 + kRoom) + kRoom * kRoom;
-        return from_axis < 1 ? from_axis : 1.0;
-    };
-    // A keyed rule throws its few rays anywhere: one that culling left out would cost a pixel 1/N, not 1/N of the tail.
-    const double tail = is_keyed(plan.sampling.estimator) ? 0 : kTailBound;
-    const double cull = cone(larger(widest, tail)), all = cone(widest);
-    lobe.cosine = to.weight((1 - cull) * (1 - kRoom * kRoom));
-    lobe.sine = to.weight(square_root(cull * (2 - cull)) * (1 + kRoom));
-    lobe.widest_sine = to.weight(square_root(all * (2 - all)) * (1 + kRoom) + kRoom);
-    if constexpr (F::kFixed) {
-        constexpr double kSteepest = 4;
-        const double sine = square_root(all * (2 - all)) * (1 + kRoom) + kRoom;
-        lobe.cone.narrow = (1 - all) * kSteepest > 1 + kRoom;
-        if (lobe.cone.narrow) lobe.cone = {to.ratio(sine / (1 - all)), to.ratio((1 + kRoom) / (1 - all)), true};
-    }
+    if (lobe.glossy) lobe.inverse_exponent = to.share(1 / (mirror.lobe_exponent + 1));
     return lobe;
 }
 
@@ -80,6 +59,30 @@ double sagitta(const Mirror& mirror) {
 }
 
 }  // namespace
+
+template <class F>
+void derive_cone(double n, const PlanHead& plan, bool survey, const Constants<F>& to, LobeDataOf<F>& lobe) {
+    const double widest = least_share(plan.sampling, plan.samples);
+    // Room for the rounding of lattice and frame: both far below 2^-18.
+    constexpr double kRoom = 0x1p-18;
+    const auto cone = [&](double u) {
+        const double from_axis = distance_from_axis(u, n) * (1 + kRoom) + kRoom * kRoom;
+        return from_axis < 1 ? from_axis : 1.0;
+    };
+    // A keyed rule throws its few rays anywhere: one that culling left out would cost a pixel 1/N, not 1/N of the tail.
+    const bool keyed = is_keyed(plan.sampling.estimator);
+    const double tail = keyed ? 0 : kTailBound;
+    const double cull = cone(survey && !keyed ? tail : larger(widest, tail)), all = cone(widest);
+    lobe.cosine = to.weight((1 - cull) * (1 - kRoom * kRoom));
+    lobe.sine = to.weight(square_root(cull * (2 - cull)) * (1 + kRoom));
+    lobe.widest_sine = to.weight(square_root(all * (2 - all)) * (1 + kRoom) + kRoom);
+    if constexpr (F::kFixed) {
+        constexpr double kSteepest = 4;
+        const double sine = square_root(all * (2 - all)) * (1 + kRoom) + kRoom;
+        lobe.cone.narrow = (1 - all) * kSteepest > 1 + kRoom;
+        if (lobe.cone.narrow) lobe.cone = {to.ratio(sine / (1 - all)), to.ratio((1 + kRoom) / (1 - all)), true};
+    }
+}
 
 template <class F>
 SurfaceDataOf<F> derive_surface(const Material& m, const Rgb<double>& ambient, const Constants<F>& to) {
@@ -145,7 +148,8 @@ void derive_mirror(const Mirror& mirror, const Rgb<double>& ambient, const PlanH
     out.shape.kappa = to.curvature(1 / mirror.curvature_radius);
     out.shape.boundary = boundary_of(mirror.boundary, to);
     out.curved = out.shape.kappa != typename F::Curvature(0);
-    out.lobe = lobe_of(mirror, plan, to);
+    out.lobe = lobe_of(mirror, to);
+    out.lobe_exponent = mirror.lobe_exponent;
 
     const bool shines = mirror.shininess != kShininessOfLobe || mirror.lobe_exponent < kInfinity;
     Material m;
@@ -173,5 +177,9 @@ template void derive_mirror(const Mirror&, const Rgb<double>&, const PlanHead&, 
                             MirrorPlanOf<DoubleFormats>&);
 template void derive_mirror(const Mirror&, const Rgb<double>&, const PlanHead&, const Constants<FixedFormats>&,
                             MirrorPlanOf<FixedFormats>&);
+template void derive_cone(double, const PlanHead&, bool, const Constants<FloatFormats>&, LobeData&);
+template void derive_cone(double, const PlanHead&, bool, const Constants<DoubleFormats>&, LobeDataOf<DoubleFormats>&);
+template void derive_cone(double, const PlanHead&, bool, const Constants<FixedFormats>&,
+                          LobeDataOf<FixedFormats>&);
 
 }  // namespace zerkalo

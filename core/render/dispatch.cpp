@@ -70,6 +70,11 @@ constexpr FeatureName kFeatureNames[] = {
     {kFeatureFlush, "flush"},
 };
 
+KernelKind kind_of(const Plan& plan) {
+    if (plan.features & kNeedsGeneral) return kKernelGeneral;
+    return plan.features & kFeatureGlossy ? kKernelGlossy : kKernelSharp;
+}
+
 std::int32_t tiles_across(const PlanHead& plan) { return (plan.width + kTileSide - 1) / kTileSide; }
 std::int32_t tiles_down(const PlanHead& plan) { return (plan.height + kTileSide - 1) / kTileSide; }
 
@@ -104,10 +109,10 @@ Isa best_isa() {
     return Isa::scalar;
 }
 
-TileFunction kernel_for(const Plan& plan, Isa isa) {
-    const KernelTable& table = *row_of(isa).table;
-    if (plan.features & kNeedsGeneral) return table.kernels[kKernelGeneral];
-    return table.kernels[plan.features & kFeatureGlossy ? kKernelGlossy : kKernelSharp];
+TileFunction kernel_for(const Plan& plan, Isa isa) { return row_of(isa).table->kernels[kind_of(plan)]; }
+
+SpreadFunction spread_kernel_for(const Plan& plan, Isa isa) {
+    return row_of(isa).table->spread_kernels[kind_of(plan)];
 }
 
 FixedTileFunction kernel_for(const FixedPlan&, Isa isa) { return *row_of(fixed_isa_of(isa)).fixed; }

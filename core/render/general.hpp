@@ -4,6 +4,7 @@
 #include "core/render/fixed_tile.hpp"
 #include "core/render/packet.hpp"
 #include "core/render/render.hpp"
+#include "core/render/spread.hpp"
 #include "core/render/trace.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
@@ -74,7 +75,7 @@ ZERKALO_INLINE bool next_packet(const PlanFor<R>& plan, PathStack<R>& stack, con
 template <class R>
 ZERKALO_INLINE Rgb<LightSum<R>> trace_packet(const PlanFor<R>& plan, const TileView& view, const CameraRay<R>& camera,
                                              Mask<R> active, const PathKey<R>& key, PathStack<R>& stack,
-                                             TileCounts& counts) {
+                                             LobeParts<R>* parts, TileCounts& counts) {
     using W = Weight<R>;
     Rgb<LightSum<R>> sum{LightSum<R>(0), LightSum<R>(0), LightSum<R>(0)};
     const Departure<R> from = departure_of_camera<R>(plan.camera, camera.d);
@@ -82,8 +83,11 @@ ZERKALO_INLINE Rgb<LightSum<R>> trace_packet(const PlanFor<R>& plan, const TileV
     stack.push(PathPacket<R>{camera.o, camera.d, {W(1), W(1), W(1)}, from, active, view.seen, 0, false, false, 0});
     while (stack.count > 0) {
         PathPacket<R> ray;
-        if (!next_packet<R>(plan, stack, key, ray, sum, counts)) continue;
-        trace_one<R>(plan, view, ray, ray.depth == 0 ? camera.t_min : Length<R>(0), key, stack, sum, counts);
+        const Rgb<LightSum<R>> before = sum;
+        if (next_packet<R>(plan, stack, key, ray, sum, counts)) {
+            trace_one<R>(plan, view, ray, ray.depth == 0 ? camera.t_min : Length<R>(0), key, stack, sum, counts);
+        }
+        if (parts && ray.after_lobe) note(*parts, ray.sample, sum, before);
     }
     return sum;
 }
@@ -116,8 +120,8 @@ ZERKALO_INLINE PathKey<R> path_key(const PlanFor<R>& plan, const Rect& tile, int
 
 /// Renders one tile of any scene. R: the lanes, or the fixed-point system.
 template <class R>
-inline void render_tile_general(const PlanFor<R>& plan, const Rect& tile, const LinearImage& image,
-                                RayCounts& counts) {
+inline void render_tile_general(const PlanFor<R>& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
+                                TileSpread* spread_of_tile = nullptr) {
     counts.primary += static_cast<std::uint64_t>(tile.width) * static_cast<std::uint64_t>(tile.height) *
                       static_cast<std::uint64_t>(plan.antialias);
     const TileView view = view_of_tile<R>(plan, tile);
@@ -132,12 +136,16 @@ inline void render_tile_general(const PlanFor<R>& plan, const Rect& tile, const 
             const auto active = lanes_inside<R>(tile, first);
             if (none(active)) continue;
             const PathKey<R> key = path_key<R>(plan, tile, first, static_cast<std::uint32_t>(a));
+            LobeParts<R> parts{};
             put(colours, first,
-                trace_packet<R>(plan, view, camera_ray<R>(plan, pixel.x, pixel.y, at), active, key, stack, tile_counts),
+                trace_packet<R>(plan, view, camera_ray<R>(plan, pixel.x, pixel.y, at), active, key, stack,
+                                spread_of_tile ? &parts : nullptr, tile_counts),
                 a > 0);
+            if (spread_of_tile) add_variance(*spread_of_tile, first, parts);
         }
     }
     if (plan.antialias > 1) average<R>(colours, plan.antialias);
+    if (spread_of_tile) average(*spread_of_tile, plan.antialias);
     write_tile<R>(plan, colours, tile, image);
     counts.reflected += tile_counts.reflected;
     counts.lobe += tile_counts.lobe;

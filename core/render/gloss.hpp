@@ -10,6 +10,7 @@
 
 #include "core/numeric/shuffle.hpp"
 #include "core/render/lobe_aim.hpp"
+#include "core/render/spread.hpp"
 #include "core/render/tile.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
@@ -37,6 +38,20 @@ struct GlossQueues {
     std::uint64_t waiting;  // bit p: pixel p
     std::uint32_t tile;     // its hash
 };
+
+/// The same sums apart for every kSpreadParts-th lobe ray: how far these parts lie from one another tells the error.
+template <bool Spread>
+struct GlossParts {};
+template <>
+struct GlossParts<true> {
+    using OfClasses = float[kLatticeClasses][kSpreadParts][kClassPixels];
+    alignas(64) OfClasses r, g, b, weight;
+};
+
+template <class R>
+ZERKALO_INLINE void add_to(float* sums, R x) {
+    store(sums, load<R>(sums) + x);
+}
 
 /// Notes the packet's points and lets the lanes of the mask wait.
 template <class R>
@@ -89,10 +104,11 @@ ZERKALO_INLINE void frame_group(GroupFrames<R>& frames, const GlossQueue& queue,
 }
 
 /// The lobe rays of packet i of a group, number `at` and on in its queue, for one chunk of the lattice: adds to the queue's sums.
-template <class R>
+template <class R, bool Spread>
 ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, const GroupAim<R>& group_aim,
                                 const GroupFrames<R>& frames, const LatticeChunk& chunk, GlossQueue& queue,
-                                std::int32_t at, std::int32_t i, TileCounts& counts) {
+                                std::int32_t at, std::int32_t i, GlossParts<Spread>& parts, int c,
+                                TileCounts& counts) {
     const auto active = load<R>(kLaneNumbers.real) < R(float(queue.count - at));
     const Vec3<R>& p = frames.p[i];
     const LobeFrame<R>& frame = frames.frame[i];
@@ -109,13 +125,22 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
         // The mean weight counts all rays, also those that meet nothing.
         R weight_sum = load<R>(queue.weight + at);
         for (std::int32_t s = 0; s < chunk.count; ++s) {
-            weight_sum = weight_sum + lobe_weight(ray_cosine(n, chunk, s), inverse_cosine);
+            const R weight = lobe_weight(ray_cosine(n, chunk, s), inverse_cosine);
+            weight_sum = weight_sum + weight;
+            if constexpr (Spread) add_to(parts.weight[c][s % kSpreadParts] + at, weight);
         }
         store(queue.weight + at, weight_sum);
     }
 
     const Rgb<R> background = spread<R>(plan.background);
     Rgb<R> sum{load<R>(queue.r + at), load<R>(queue.g + at), load<R>(queue.b + at)};
+    const auto note = [&](std::int32_t s, const Rgb<R>& light) ZERKALO_INLINE_LAMBDA {
+        if constexpr (Spread) {
+            const std::int32_t part = s % kSpreadParts;
+            add_to(parts.r[c][part] + at, light.r), add_to(parts.g[c][part] + at, light.g);
+            add_to(parts.b[c][part] + at, light.b);
+        }
+    };
     for (std::uint64_t left = aim.reach & first_bits(chunk.count); left != 0; left &= left - 1) {
         const std::int32_t s = first_of(left);
         const Vec3<R> d = frame.m * R(chunk.forward[s]) + frame.t * R(chunk.side[s]) + frame.b * R(chunk.up[s]);
@@ -128,6 +153,7 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
             Rgb<R> light = solid_light(plan, asked, near, p, d, hit, background, counts) - background;
             if (weighted) light = scaled(light, lobe_weight(ray_cosine(n, chunk, s), inverse_cosine));
             sum = sum + light;
+            note(s, light);
         } else {
             const LobeCandidate<R>& candidate = only_candidate(aim, s);
             R t = R(0), face = R(0);
@@ -141,7 +167,9 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
             if (dips) hit = hit & (ray_cosine(n, chunk, s) > R(0));
             Rgb<R> light = light_of_solid<R>(plan, *candidate.solid, p + d * t, face, d, hit, counts) - background;
             if (weighted) light = scaled(light, lobe_weight(ray_cosine(n, chunk, s), inverse_cosine));
-            sum = sum + select(hit, light, spread<R>(Rgb<float>{0, 0, 0}));
+            light = select(hit, light, spread<R>(Rgb<float>{0, 0, 0}));
+            sum = sum + light;
+            note(s, light);
         }
     }
     store(queue.r + at, sum.r), store(queue.g + at, sum.g), store(queue.b + at, sum.b);
@@ -167,6 +195,27 @@ ZERKALO_INLINE void settle(GlossQueue& queue, const Plan& plan, const MirrorPlan
     }
 }
 
+/// Adds to the tile's spread what the parts of one class of pixels tell: see TileSpread.
+template <class R>
+ZERKALO_INLINE void settle_spread(const GlossQueue& queue, const GlossParts<true>& parts, int c, const Plan& plan,
+                                  const MirrorPlan& mirror, TileSpread& spread_of_tile) {
+    const Rgb<R> background = spread<R>(plan.background), tint = spread<R>(mirror.reflectance);
+    const float part_of_ray = 1.0f / float(plan.samples);
+    for (std::int32_t at = 0; at < queue.count; at += kWidth<R>) {
+        PartSums<R> sums;
+        for (int part = 0; part < kSpreadParts; ++part) {
+            const Rgb<R> seen{load<R>(parts.r[c][part] + at), load<R>(parts.g[c][part] + at),
+                              load<R>(parts.b[c][part] + at)};
+            sums.part[part] = tint * (scaled(background, load<R>(parts.weight[c][part] + at)) + seen);
+        }
+        alignas(64) float variance[kWidth<R>];
+        store(variance, variance_of(sums) * R(part_of_ray * part_of_ray));
+        for (std::int32_t k = 0; k < kWidth<R> && at + k < queue.count; ++k) {
+            spread_of_tile.variance[queue.pixel[at + k]] += variance[k];
+        }
+    }
+}
+
 constexpr int kClassChunks = 2;  // of a keyed rule: for the even classes and for the odd ones
 
 /// The points of the classes from number `first` on: of the lattice, in the first chunk, for all of them.
@@ -182,14 +231,15 @@ ZERKALO_ONCE void fill_class_chunks(LatticeChunk* chunks, const Plan& plan, cons
 
 /// Traces all waiting pixels of camera sample `sample` and adds what they see in the mirror to their colours.
 /// A function of its own, so that its stack and the camera rays' are not held at the same time as one frame's spills.
-template <class R>
+template <class R, bool Spread>
 ZERKALO_ONCE void flush(GlossQueues& queues, const LatticeClasses& classes, const Plan& plan,
                           const MirrorPlan& mirror, CandidateMask candidates, std::uint32_t sample,
-                          TileColours& colours, TileCounts& counts) {
+                          TileColours& colours, TileSpread* spread_of_tile, TileCounts& counts) {
     for (int c = 0; c < kLatticeClasses; ++c) {
         fill_queue<R>(queues.of_class[c], queues.waiting & pixels_of_class(classes, c), mirror.lobe.max_phong);
     }
     queues.waiting = 0;
+    GlossParts<Spread> parts{};
     const bool keyed = is_keyed(plan.sampling.estimator);
     LatticeChunk later[kClassChunks];
     GroupFrames<R> frames;
@@ -206,12 +256,16 @@ ZERKALO_ONCE void flush(GlossQueues& queues, const LatticeClasses& classes, cons
                 frame_group(frames, queue, at, queues.points, phase);
                 aim_group(aim, plan, mirror.lobe, candidates, chunk, frames);
                 for (std::int32_t i = 0; i < frames.packets; ++i) {
-                    shoot_chunk<R>(plan, mirror, aim, frames, chunk, queue, at + i * kWidth<R>, i, counts);
+                    shoot_chunk<R, Spread>(plan, mirror, aim, frames, chunk, queue, at + i * kWidth<R>, i, parts, c,
+                                           counts);
                 }
             }
         }
     }
-    for (GlossQueue& queue : queues.of_class) settle<R>(queue, plan, mirror, colours);
+    for (int c = 0; c < kLatticeClasses; ++c) {
+        settle<R>(queues.of_class[c], plan, mirror, colours);
+        if constexpr (Spread) settle_spread<R>(queues.of_class[c], parts, c, plan, mirror, *spread_of_tile);
+    }
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

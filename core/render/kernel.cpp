@@ -14,17 +14,39 @@ using G = Real<(ZERKALO_WIDTH < 8 ? ZERKALO_WIDTH : 8)>;
 
 namespace {
 
-template <TileFunction render_tile>
-void in_ieee_mode(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
+template <bool Glossy>
+void one_bounce(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
     const IeeeMode ieee;
-    render_tile(plan, tile, image, counts);
+    render_tile_one_bounce<R, Glossy>(plan, tile, image, counts);
+}
+void general(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
+    const IeeeMode ieee;
+    render_tile_general<G>(plan, tile, image, counts);
+}
+
+// The same with the spread; where no lobe is there is none.
+void sharp_with_spread(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
+                       TileSpread& spread) {
+    spread = {};
+    one_bounce<false>(plan, tile, image, counts);
+}
+void glossy_with_spread(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
+                        TileSpread& spread) {
+    const IeeeMode ieee;
+    spread = {};
+    render_tile_one_bounce<R, true, true>(plan, tile, image, counts, &spread);
+}
+void general_with_spread(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
+                         TileSpread& spread) {
+    const IeeeMode ieee;
+    spread = {};
+    render_tile_general<G>(plan, tile, image, counts, &spread);
 }
 
 }  // namespace
 
 extern const KernelTable ZERKALO_TABLE;
-const KernelTable ZERKALO_TABLE = {{&in_ieee_mode<&render_tile_one_bounce<R, false>>,
-                                    &in_ieee_mode<&render_tile_one_bounce<R, true>>,
-                                    &in_ieee_mode<&render_tile_general<G>>}};
+const KernelTable ZERKALO_TABLE = {{&one_bounce<false>, &one_bounce<true>, &general},
+                                   {&sharp_with_spread, &glossy_with_spread, &general_with_spread}};
 
 }  // namespace zerkalo

@@ -9,6 +9,7 @@ enum KernelKind : int { kKernelSharp, kKernelGlossy, kKernelGeneral, kKernelKind
 
 struct KernelTable {
     TileFunction kernels[kKernelKinds];
+    SpreadFunction spread_kernels[kKernelKinds];
 };
 
 // The kernel of every scene in fixed point, one for each translation unit of kernel_fixed.cpp.

@@ -19,7 +19,10 @@ void in_ieee_mode(const FixedPlan& plan, const Rect& tile, const LinearImage& im
 }
 constexpr FixedTileFunction kRenderTile = &in_ieee_mode;
 #else
-constexpr FixedTileFunction kRenderTile = &render_tile_general<FixedNumbers<1>>;
+void render_tile(const FixedPlan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
+    render_tile_general<FixedNumbers<1>>(plan, tile, image, counts);
+}
+constexpr FixedTileFunction kRenderTile = &render_tile;
 #endif
 
 }  // namespace

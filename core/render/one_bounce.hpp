@@ -80,9 +80,10 @@ ZERKALO_INLINE Rgb<R> packet_light(const Plan& plan, const TileView& view, Vec3<
     return select(on_mirror, seen, light);
 }
 
-/// Renders one tile. R: the lanes; Glossy: the mirror is unpolished.
-template <class R, bool Glossy>
-inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
+/// Renders one tile. R: the lanes; Glossy: the mirror is unpolished; Spread: tell how sure the average is.
+template <class R, bool Glossy, bool Spread = false>
+inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
+                                   TileSpread* spread_of_tile = nullptr) {
     counts.primary += static_cast<std::uint64_t>(tile.width) * static_cast<std::uint64_t>(tile.height) *
                       static_cast<std::uint64_t>(plan.antialias);
     TileView view = view_of_tile<R>(plan, tile);
@@ -112,12 +113,13 @@ inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const Lin
         }
         if constexpr (Glossy) {
             if (queues.waiting != 0) {
-                flush<R>(queues, classes, plan, plan.mirrors[0], view.in_lobe, static_cast<std::uint32_t>(a), colours,
-                         tile_counts);
+                flush<R, Spread>(queues, classes, plan, plan.mirrors[0], view.in_lobe, static_cast<std::uint32_t>(a),
+                                 colours, spread_of_tile, tile_counts);
             }
         }
     }
     if (plan.antialias > 1) average<R>(colours, plan.antialias);
+    if constexpr (Spread) average(*spread_of_tile, plan.antialias);
     write_tile<R>(plan, colours, tile, image);
     counts.reflected += tile_counts.reflected;
     counts.lobe += tile_counts.lobe;

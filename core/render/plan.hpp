@@ -83,6 +83,7 @@ struct MirrorPlanOf : OneBounceMirror<F> {
     Blockers blockers;
     Rgb<typename F::Weight> reflectance;  // F K_r
     LobeDataOf<F> lobe;
+    double lobe_exponent;
     std::uint32_t flush;                           // bit k: a face of solid k lies in the mirror's plane
     typename F::Index flush_face[kMaxSolids];      // which one
     std::uint8_t curved;

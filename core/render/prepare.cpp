@@ -2,7 +2,6 @@
 #include "core/render/cull.hpp"
 #include "core/render/derive_planes.hpp"
 #include "core/render/fit.hpp"
-#include "core/render/lattice_chunk.hpp"
 #include "core/render/meet.hpp"
 #include "core/render/render.hpp"
 #include "core/render/surroundings.hpp"
@@ -20,7 +19,7 @@ Status check(const Settings& settings, const ImageSize& size) {
     if (std::int64_t{size.width} * size.height > kMaxPixels) {
         return complain("height", "times width must be at most 2^28 pixels");
     }
-    if (settings.samples < 1 || settings.samples > kMaxSamples) return complain("samples", "must lie in 1..1048576");
+    if (const Status status = check_pass({settings.samples, settings.rotation}); !status.ok()) return status;
     if (settings.antialias < 1 || settings.antialias > kMaxAntialias) {
         return complain("antialias", "must lie in 1..4096");
     }
@@ -28,7 +27,6 @@ Status check(const Settings& settings, const ImageSize& size) {
         return complain("depth_limit", "must lie in 0..255");
     }
     if (static_cast<int>(settings.estimator) >= kEstimatorCount) return complain("estimator", "is none of the list");
-    if (settings.rotation < 0) return complain("rotation", "must lie in 0..2147483647");
     return kOk;
 }
 
@@ -167,17 +165,11 @@ void derive_features(const Scene& scene, const Constants<F>& to, PlanOf<F>& plan
 }
 
 /// What only the kernels for at most one bounce read.
-void derive_one_bounce(const Scene& scene, const Settings& settings, const Viewpoint& eye,
-                       const Constants<FloatFormats>& to, Plan& plan) {
+void derive_one_bounce(const Scene& scene, const Viewpoint& eye, const Constants<FloatFormats>& to, Plan& plan) {
     for (std::int32_t k = 0; k < plan.solid_count; ++k) {
         const SolidPlan& solid = plan.solids[k];
         plan.bounds.x[k] = solid.bound_centre.x, plan.bounds.y[k] = solid.bound_centre.y;
         plan.bounds.z[k] = solid.bound_centre.z, plan.bounds.radius[k] = solid.bound_radius;
-    }
-    for (std::int32_t m = 0; m < plan.mirror_count; ++m) {
-        MirrorPlan& mirror = plan.mirrors[m];
-        if (!mirror.lobe.glossy || is_keyed(plan.sampling.estimator)) continue;
-        fill_chunk<float>(mirror.lattice, plan.sampling, mirror.lobe, 0, settings.samples);
     }
     if (plan.mirror_count > 0) derive_tile_corners(plan);
     derive_image_bounds(scene, eye, plan);
@@ -188,8 +180,8 @@ void derive_one_bounce(const Scene& scene, const Settings& settings, const Viewp
 
 void derive_head(const Scene& scene, const Settings& settings, const ImageSize& size, PlanHead& plan) {
     plan.width = size.width, plan.height = size.height;
-    plan.samples = settings.samples, plan.antialias = settings.antialias, plan.depth_limit = settings.depth_limit;
-    plan.sampling = sampling_of(settings.estimator, static_cast<std::uint32_t>(settings.rotation));
+    plan.antialias = settings.antialias, plan.depth_limit = settings.depth_limit;
+    plan.sampling.estimator = settings.estimator;
     plan.features = 0;
     plan.exact_plan = settings.exact_plan;
     plan.solid_count = scene.solid_count, plan.mirror_count = scene.mirror_count, plan.light_count = scene.light_count;
@@ -198,11 +190,12 @@ void derive_head(const Scene& scene, const Settings& settings, const ImageSize& 
 
 /// Everything that all kinds of plan have. `to` is chosen for a scene that fits.
 template <class F>
-Status derive_plan(const Scene& scene, const Surroundings& around, const Viewpoint& eye, const Constants<F>& to,
-                   PlanOf<F>& plan) {
+Status derive_plan(const Scene& scene, const Settings& settings, const Surroundings& around, const Viewpoint& eye,
+                   const Constants<F>& to, PlanOf<F>& plan) {
     const Rgb<double> white{1, 1, 1};
     plan.background = derive_surface(Material{.color = white, .ambient = 1}, scene.background, to).ambient;
     derive_objects(scene, around, to, plan);
+    place_lobe_rays(plan, {settings.samples, settings.rotation});
     derive_camera(eye, around, to, plan);
     derive_standing(scene, to, plan);
     derive_bounds(scene, eye, plan);
@@ -247,8 +240,8 @@ Status prepare(const Scene& scene, const Settings& settings, Plan& plan) {
     Viewpoint eye;
     if (const Status status = begin(scene, settings, plan, around, eye); !status.ok()) return status;
     const Constants<FloatFormats> to(plan.origin);
-    const Status status = derive_plan(scene, around, eye, to, plan);
-    if (status.ok()) derive_one_bounce(scene, settings, eye, to, plan);
+    const Status status = derive_plan(scene, settings, around, eye, to, plan);
+    if (status.ok()) derive_one_bounce(scene, eye, to, plan);
     return status;
 }
 
@@ -257,7 +250,7 @@ Status prepare(const Scene& scene, const Settings& settings, DoublePlan& plan) {
     Surroundings around;
     Viewpoint eye;
     if (const Status status = begin(scene, settings, plan, around, eye); !status.ok()) return status;
-    return derive_plan(scene, around, eye, Constants<DoubleFormats>(plan.origin), plan);
+    return derive_plan(scene, settings, around, eye, Constants<DoubleFormats>(plan.origin), plan);
 }
 
 Status prepare(const Scene& scene, const Settings& settings, FixedPlan& plan) {
@@ -269,7 +262,7 @@ Status prepare(const Scene& scene, const Settings& settings, FixedPlan& plan) {
     const Point start = eye.position + eye.view * pull_of(eye, around);
     if (const Status status = fit(scene, around, plan.origin, start, to); !status.ok()) return status;
     plan.exposure = to.exposure();
-    return derive_plan(scene, around, eye, to, plan);
+    return derive_plan(scene, settings, around, eye, to, plan);
 }
 
 }  // namespace zerkalo

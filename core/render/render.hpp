@@ -46,6 +46,19 @@ using FixedTileFunction = void (*)(const FixedPlan& plan, const Rect& tile, cons
 using DoubleTileFunction = void (*)(const DoublePlan& plan, const Rect& tile, const LinearImage& image,
                                     RayCounts& counts);
 
+constexpr int kSpreadParts = 4;  // of the lobe rays: a spread needs a multiple of so many
+
+/// How far apart the parts of the lobe rays lie, by pixel of a tile, row-major over the full tile side: the variance
+/// of the pixel's value, summed over its channels, if the parts were independent. 0 where no lobe ray is needed.
+struct TileSpread {
+    float variance[kTilePixels];
+};
+
+/// A TileFunction that also adds the spread of the tile's pixels; the picture's bytes are the same. Precondition:
+/// plan.samples is a multiple of kSpreadParts.
+using SpreadFunction = void (*)(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
+                                TileSpread& spread);
+
 /// Checks scene and settings and derives every constant of the frame. On error `plan` is left unspecified.
 Status prepare(const Scene& scene, const Settings& settings, Plan& plan);
 
@@ -54,9 +67,16 @@ Status prepare(const Scene& scene, const Settings& settings, FixedPlan& plan);
 
 /// The same in double, for references: the samples of float to the last of its bits, rounded to float as pixels alone.
 Status prepare(const Scene& scene, const Settings& settings, DoublePlan& plan);
+/// Gives a prepared plan another pass: from now on it is, byte for byte, as prepare() with these samples and this
+/// rotation would have left it, for a thousandth of the work. No tile may be in work. Refuses what prepare() refuses,
+/// and the plan stays as it was.
+Status begin_pass(Plan& plan, const Pass& pass);
+Status begin_pass(DoublePlan& plan, const Pass& pass);
+Status begin_pass(FixedPlan& plan, const Pass& pass);
 
 /// The smallest kernel that covers what the plan needs. Precondition: available(isa).
 TileFunction kernel_for(const Plan& plan, Isa isa);
+SpreadFunction spread_kernel_for(const Plan& plan, Isa isa);
 FixedTileFunction kernel_for(const FixedPlan& plan, Isa isa);
 DoubleTileFunction kernel_for(const DoublePlan& plan, Isa isa);
 

@@ -15,6 +15,12 @@ constexpr std::int32_t kMaxRotation = 0x7fffffff;
 constexpr std::int32_t kMaxDepth = 255;
 constexpr std::int32_t kMaxBranchDepth = 16;  // where a surface both reflects and transmits: the rays double each time
 
+/// What one pass over a frame has of its own: so many lobe rays, placed so (see Settings).
+struct Pass {
+    std::int32_t samples, rotation;
+    bool survey = false;  // culling leaves in what more samples would need: the ray counts tell where lobe rays matter
+};
+
 struct Settings {
     std::int32_t width = 0, height = 0;  // 0: the scene's
     std::int32_t samples = 16;           // lobe rays at the first glossy hit of a camera path, 1..kMaxSamples

@@ -11,7 +11,7 @@ enum class ExitCode : int {
     io_failed = 1,        // a file could not be read or written
     usage = 2,            // the command line is wrong
     scene_invalid = 3,    // the scene file, or a file that it names, is wrong
-    pictures_differ = 4,  // compare: beyond the tolerance, or of different sizes; study: its references disagree
+    pictures_differ = 4,  // compare: beyond the tolerance; study: its references disagree; render: --error not reached
     no_device = 5,        // no such display here, or this CPU lacks the instruction set
     internal_error = 70,  // a fault of the program, or no memory
     interrupted = 130,    // study: by Ctrl-C or SIGTERM; what is finished is kept

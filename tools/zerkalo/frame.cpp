@@ -11,19 +11,6 @@
 namespace zerkalo {
 namespace {
 
-// One thread's counts, alone on their cache lines.
-struct alignas(128) ThreadCounts {
-    RayCounts rays;
-};
-
-void add(RayCounts& sum, const RayCounts& more) {
-    sum.primary += more.primary;
-    sum.reflected += more.reflected;
-    sum.lobe += more.lobe;
-    sum.refracted += more.refracted;
-    sum.shadow += more.shadow;
-}
-
 RayCounts render_once(const Frame& frame, Progress* progress) {
     std::vector<ThreadCounts> counts(static_cast<std::size_t>(frame.threads));
     const auto render_tile = [&](int tile, int thread) {
@@ -37,7 +24,7 @@ RayCounts render_once(const Frame& frame, Progress* progress) {
     thread_tiles(tile_count(frame.head()), frame.threads, render_tile);
 
     RayCounts sum;
-    for (const ThreadCounts& of_thread : counts) add(sum, of_thread.rays);
+    for (const ThreadCounts& of_thread : counts) sum += of_thread.rays;
     return sum;
 }
 
@@ -83,6 +70,7 @@ Frame prepare_frame(const Scene& scene, const Settings& settings, Isa isa, int t
         std::make_unique<float[]>(std::size_t{3} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     frame.image = {frame.pixels.get(), width, height, static_cast<std::ptrdiff_t>(3 * sizeof(float)) * width};
     frame.threads = threads;
+    frame.rotation = settings.rotation;
     return frame;
 }
 
@@ -105,6 +93,15 @@ void render_until(const Frame& frame, const std::atomic<bool>& stopped) {
         frame.render_tile(tile, unused);
     };
     thread_tiles(tile_count(frame.head()), frame.threads, render_tile);
+}
+
+RayCounts& operator+=(RayCounts& sum, const RayCounts& more) {
+    sum.primary += more.primary;
+    sum.reflected += more.reflected;
+    sum.lobe += more.lobe;
+    sum.refracted += more.refracted;
+    sum.shadow += more.shadow;
+    return sum;
 }
 
 std::uint64_t total_of(const RayCounts& rays) {

@@ -24,6 +24,7 @@ struct Frame {
     FixedTileFunction fixed_kernel = nullptr;
     DoubleTileFunction double_kernel = nullptr;
     int threads = 1;
+    std::int32_t rotation = 0;  // of its first pass
 
     const PlanHead& head() const {
         if (plan) return *plan;
@@ -47,6 +48,11 @@ struct FrameCost {
     RayCounts rays;
 };
 
+/// One thread's counts, alone on their cache lines.
+struct alignas(128) ThreadCounts {
+    RayCounts rays;
+};
+
 /// Prepares the plan and a picture whose pages are already touched. Precondition: available(isa).
 /// Throws Failure: usage when a setting is refused, scene_invalid when the scene is.
 Frame prepare_frame(const Scene& scene, const Settings& settings, Isa isa, int threads,
@@ -57,6 +63,8 @@ FrameCost render_frame(const Frame& frame, int repeat, bool progress);
 
 /// Renders the picture once, but leaves the tiles out that are begun after `stopped` was set.
 void render_until(const Frame& frame, const std::atomic<bool>& stopped);
+
+RayCounts& operator+=(RayCounts& sum, const RayCounts& more);
 
 /// All rays, of every kind.
 std::uint64_t total_of(const RayCounts& rays);

@@ -11,7 +11,8 @@ namespace {
 
 constexpr const char* kExitCodes =
     "Exit codes: 0 ok, 1 reading or writing failed, 2 wrong command line, 3 invalid scene,\n"
-    "4 pictures differ, 5 no suitable device or instruction set, 70 internal error, 130 interrupted.\n"
+    "4 pictures differ or --error not reached, 5 no suitable device or instruction set,\n"
+    "70 internal error, 130 interrupted.\n"
     "Results go to standard output, messages to standard error.";
 
 void add_commands(CLI::App& app, Action& action) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <thread>
 
 namespace zerkalo {
@@ -53,6 +54,17 @@ CLI::Validator whole_number(std::int64_t min, std::int64_t max) {
         if (value && *value >= min && *value <= max) return "";
         return format("'%s' is not a whole number from %lld to %lld", text.c_str(), static_cast<long long>(min),
                       static_cast<long long>(max));
+    };
+    return CLI::Validator(check, "");
+}
+
+CLI::Validator positive_number() {
+    const auto check = [](std::string& text) -> std::string {
+        double value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool whole = error == std::errc() && end == text.data() + text.size();
+        if (whole && std::isfinite(value) && value > 0) return "";
+        return "'" + text + "' is not a finite number above 0, for example 0.002";
     };
     return CLI::Validator(check, "");
 }

@@ -18,6 +18,9 @@ std::string suggestion(std::string_view word, const std::vector<std::string_view
 /// Accepts whole numbers min..max in decimal digits and nothing else.
 CLI::Validator whole_number(std::int64_t min, std::int64_t max);
 
+/// Accepts finite numbers above 0 in decimal digits, with an exponent or without, and nothing else.
+CLI::Validator positive_number();
+
 /// Accepts one of `names`; the message lists them.
 CLI::Validator one_of(const std::vector<std::string_view>& names);
 

@@ -1,0 +1,55 @@
+// A pass over a frame that is prepared already: the same plan with other lobe rays.
+#include "core/numeric/float_mode.hpp"
+#include "core/render/derive.hpp"
+#include "core/render/lattice_chunk.hpp"
+#include "core/render/render.hpp"
+
+#include <type_traits>
+
+namespace zerkalo {
+namespace {
+
+template <class F>
+Status begin(PlanOf<F>& plan, const Pass& pass) {
+    const IeeeMode ieee;
+    if (const Status status = check_pass(pass); !status.ok()) return status;
+    place_lobe_rays(plan, pass);
+    return kOk;
+}
+
+}  // namespace
+
+Status check_pass(const Pass& pass) {
+    if (pass.samples < 1 || pass.samples > kMaxSamples) {
+        return {"samples", "must lie in 1..1048576", Part::settings, 0};
+    }
+    if (pass.rotation < 0) return {"rotation", "must lie in 0..2147483647", Part::settings, 0};
+    return kOk;
+}
+
+template <class F>
+void place_lobe_rays(PlanOf<F>& plan, const Pass& pass) {
+    plan.samples = pass.samples;
+    plan.sampling = sampling_of(plan.sampling.estimator, static_cast<std::uint32_t>(pass.rotation));
+    for (std::int32_t m = 0; m < plan.mirror_count; ++m) {
+        MirrorPlanOf<F>& mirror = plan.mirrors[m];
+        if (!mirror.lobe.glossy) continue;
+        // Cosines and sines have no scale: those of every scene are rounded alike.
+        derive_cone(mirror.lobe_exponent, plan, pass.survey, Constants<F>(), mirror.lobe);
+        // A keyed rule has other points in every tile.
+        if constexpr (std::is_same_v<F, FloatFormats>) {
+            if (is_keyed(plan.sampling.estimator)) continue;
+            fill_chunk<float>(mirror.lattice, plan.sampling, mirror.lobe, 0, plan.samples);
+        }
+    }
+}
+
+template void place_lobe_rays(Plan&, const Pass&);
+template void place_lobe_rays(DoublePlan&, const Pass&);
+template void place_lobe_rays(FixedPlan&, const Pass&);
+
+Status begin_pass(Plan& plan, const Pass& pass) { return begin(plan, pass); }
+Status begin_pass(DoublePlan& plan, const Pass& pass) { return begin(plan, pass); }
+Status begin_pass(FixedPlan& plan, const Pass& pass) { return begin(plan, pass); }
+
+}  // namespace zerkalo

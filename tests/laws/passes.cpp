@@ -1,0 +1,82 @@
+#include "tests/laws/passes.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace zerkalo::laws {
+
+Passes::Passes(const Scene& scene, const Settings& settings, Isa isa)
+    : plan_(std::make_unique<Plan>()), rotation_(settings.rotation) {
+    prepare_or_throw(scene, settings, *plan_);
+    kernel_ = spread_kernel_for(*plan_, isa);
+    const auto pixels = static_cast<std::size_t>(plan_->width) * static_cast<std::size_t>(plan_->height);
+    picture_ = {plan_->width, plan_->height, std::vector<float>(3 * pixels), {}};
+    variances_.resize(pixels);
+    tiles_.resize(static_cast<std::size_t>(tile_count(*plan_)));
+}
+
+template <class Wanted>
+void Passes::run(const Pass& pass, const Wanted& wanted) {
+    if (!begin_pass(*plan_, pass).ok()) throw std::runtime_error("a pass is refused");
+    const int count = tile_count(*plan_);
+    for (int i = 0; i < count; ++i) {
+        const int tile = backwards_ ? count - 1 - i : i;
+        if (wanted(tiles_[static_cast<std::size_t>(tile)])) {
+            add_pass(*plan_, kernel_, tile, accumulator(), picture_.rays);
+        }
+    }
+}
+
+void Passes::resume(const Passes& other) {
+    picture_ = other.picture_, variances_ = other.variances_;
+    tiles_ = other.tiles_, rotation_ = other.rotation_;
+}
+
+const Image& Passes::single(std::int32_t samples) {
+    tiles_.assign(tiles_.size(), {});
+    run({samples, rotation_, true}, [](const TileProgress&) { return true; });
+    return picture_;
+}
+
+void Passes::survey() { single(kFirstSamples); }
+
+void Passes::round() {
+    ++rotation_;
+    for (int step = 0; step < kLadderSteps; ++step) {
+        const std::int32_t samples = samples_of_step(step);
+        run({samples, rotation_}, [&](const TileProgress& tile) { return tile.next == samples; });
+    }
+}
+
+double Passes::refine(double error) {
+    survey();
+    while (estimate() > error && plan(error)) round();
+    return estimate();
+}
+
+Image converged(const Scene& scene, const Settings& settings) {
+    constexpr int kPlacements = 6;
+    Settings many = settings;
+    many.samples = 1021;
+    std::vector<double> sum;
+    Image image;
+    for (int k = 1; k <= kPlacements; ++k) {
+        many.rotation = 1000 + k;
+        image = render(scene, many);
+        sum.resize(image.rgb.size());
+        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += double(image.rgb[i]) / kPlacements;
+    }
+    for (std::size_t i = 0; i < sum.size(); ++i) image.rgb[i] = static_cast<float>(sum[i]);
+    return image;
+}
+
+double distance(const Image& a, const Image& b) {
+    double squares = 0;
+    for (std::size_t i = 0; i < a.rgb.size(); ++i) {
+        const double off = double(a.rgb[i]) - double(b.rgb[i]);
+        squares += off * off;
+    }
+    return std::sqrt(squares / double(a.rgb.size()));
+}
+
+}  // namespace zerkalo::laws

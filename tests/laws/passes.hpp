@@ -1,0 +1,58 @@
+// Pictures in passes for tests: the caller's memory and the loop around core/render/progressive.hpp.
+#pragma once
+
+#include "core/render/progressive.hpp"
+#include "tests/laws/rendering.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace zerkalo::laws {
+
+class Passes {
+public:
+    Passes(const Scene& scene, const Settings& settings, Isa isa = best_isa());
+
+    /// The order in which tiles are rendered: the last one first.
+    void reverse_tiles() { backwards_ = true; }
+
+    /// Goes on where another one stands, with nothing of it but the picture, the tiles and the number of the rotation.
+    void resume(const Passes& other);
+
+    /// One pass alone over all tiles.
+    const Image& single(std::int32_t samples);
+
+    void survey();
+    bool plan(double error) { return plan_round(*plan_, accumulator(), error); }
+    void round();
+
+    /// Survey and rounds until the estimate is at most `error`, which is returned.
+    double refine(double error);
+
+    double estimate() { return estimated_error(*plan_, accumulator()); }
+    const Image& picture() const { return picture_; }
+    const RayCounts& rays() const { return picture_.rays; }
+    const std::vector<float>& variances() const { return variances_; }
+    const std::vector<TileProgress>& tiles() const { return tiles_; }
+
+private:
+    Accumulator accumulator() { return {picture_.view(), variances_.data(), tiles_.data()}; }
+    template <class Wanted>
+    void run(const Pass& pass, const Wanted& wanted);
+
+    std::unique_ptr<Plan> plan_;
+    SpreadFunction kernel_;
+    Image picture_;
+    std::vector<float> variances_;
+    std::vector<TileProgress> tiles_;
+    std::int32_t rotation_;
+    bool backwards_ = false;
+};
+
+/// The limit of many samples, by the same kernel: the mean of independent placements.
+Image converged(const Scene& scene, const Settings& settings);
+
+/// Root of the mean square of the differences over pixels and channels.
+double distance(const Image& a, const Image& b);
+
+}  // namespace zerkalo::laws

@@ -1,0 +1,152 @@
+// Pictures in passes: whole after each, the same bytes in any order, and as near to the limit as they say.
+#include "core/render/progressive.hpp"
+#include "tests/laws/passes.hpp"
+#include "tests/laws/shipped.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace zerkalo::laws {
+namespace {
+
+constexpr int kWidth = 60, kHeight = 44;  // whole tiles, and a part of one at each edge
+
+/// Calls law(name, scene) for the shipped scenes with an unpolished mirror.
+template <class Law>
+void for_unpolished(const Law& law) {
+    const auto plan = std::make_unique<Plan>();
+    for (const auto& [name, scene] : shipped_scenes()) {
+        prepare_or_throw(scene, of_size(8, 8), *plan);
+        if (plan->features & kFeatureGlossy) law(name, scene);
+    }
+}
+
+TEST(Progressive, TheSpreadKernelPaintsTheSameBytes) {
+    for_unpolished([](const std::string& name, const Scene& scene) {
+        for (const Isa isa : available_isas()) {
+            Passes work(scene, of_size(kWidth, kHeight), isa);
+            for (const std::int32_t samples : {4, 16, 100}) {
+                Settings settings = of_size(kWidth, kHeight);
+                settings.samples = samples;
+                EXPECT_EQ(work.single(samples).hash(), render(scene, settings, isa).hash())
+                    << name << ", " << name_of(isa) << ", " << samples << " samples";
+            }
+        }
+    });
+}
+
+TEST(Progressive, EveryInstructionSetAndOrderGivesTheSameBytes) {
+    for_unpolished([](const std::string& name, const Scene& scene) {
+        Passes serial(scene, of_size(kWidth, kHeight), Isa::scalar);
+        const double estimate = serial.refine(0.004);
+        for (const Isa isa : available_isas()) {
+            Passes backwards(scene, of_size(kWidth, kHeight), isa);
+            backwards.reverse_tiles();
+            EXPECT_EQ(backwards.refine(0.004), estimate) << name << ": " << name_of(isa);
+            EXPECT_EQ(backwards.picture().hash(), serial.picture().hash()) << name << ": " << name_of(isa);
+            EXPECT_EQ(backwards.variances(), serial.variances()) << name << ": " << name_of(isa);
+        }
+    });
+}
+
+TEST(Progressive, ResumedIsTheSameAsUninterrupted) {
+    for_unpolished([](const std::string& name, const Scene& scene) {
+        Passes once(scene, of_size(kWidth, kHeight)), first(scene, of_size(kWidth, kHeight));
+        Passes second(scene, of_size(kWidth, kHeight));
+        constexpr double kError = 0.0015;
+        once.refine(kError);
+        first.survey();
+        Passes *now = &first, *then = &second;
+        while (now->estimate() > kError && now->plan(kError)) {
+            then->resume(*now);
+            then->round();
+            std::swap(now, then);
+        }
+        EXPECT_EQ(now->picture().hash(), once.picture().hash()) << name;
+        EXPECT_EQ(now->variances(), once.variances()) << name;
+    });
+}
+
+// The law of the estimate, by many pictures: every scene, several errors asked for, several placements of the rays.
+TEST(Progressive, TheEstimateIsWithinAFactorOfThreeHalvesInNineteenOfTwenty) {
+    int pictures = 0, off = 0;
+    for_unpolished([&](const std::string& name, const Scene& scene) {
+        const Image limit = converged(scene, of_size(kWidth, kHeight));
+        for (const double error : {0.02, 0.006, 0.002, 0.0007}) {
+            for (const std::int32_t rotation : {0, 31}) {
+                Settings settings = of_size(kWidth, kHeight);
+                settings.rotation = rotation;
+                Passes work(scene, settings);
+                const double estimate = work.refine(error), truth = distance(work.picture(), limit);
+                const bool good = truth < 1.5 * estimate && estimate < 1.5 * truth;
+                ++pictures;
+                if (!good) {
+                    ++off;
+                    std::printf("%s: asked %g, estimated %g, true %g\n", name.c_str(), error, estimate, truth);
+                }
+                EXPECT_LE(estimate, error) << name;
+                EXPECT_LT(truth, 3 * estimate) << name;
+            }
+        }
+    });
+    EXPECT_LE(off * 20, pictures) << off << " of " << pictures;
+}
+
+// A tile of which few rays agree by luck still gets its share: none has fewer than the floor, and asking for less and
+// less error brings every tile with lobe rays beyond it.
+TEST(Progressive, NoTileStopsAtTheFloorForGood) {
+    for_unpolished([](const std::string& name, const Scene& scene) {
+        Passes work(scene, of_size(kWidth, kHeight));
+        const double first = [&] {
+            work.survey();
+            return work.estimate();
+        }();
+        for (const TileProgress& tile : work.tiles()) EXPECT_EQ(tile.samples, kFirstSamples) << name;
+        work.refine(first / 64);
+        std::int64_t fewest = kMostSamples;
+        for (const TileProgress& tile : work.tiles()) {
+            if (tile.hits > 0) fewest = std::min(fewest, tile.samples);
+        }
+        EXPECT_GT(fewest, kFirstSamples) << name;
+    });
+}
+
+TEST(Progressive, TheErrorThatIsAskedForIsReachedWithFewerRaysThanEqualSamplesNeed) {
+    for_unpolished([](const std::string& name, const Scene& scene) {
+        constexpr double kError = 0.0015;
+        const Image limit = converged(scene, of_size(kWidth, kHeight));
+        Settings settings = of_size(kWidth, kHeight);
+        Image equal;
+        for (settings.samples = 1; settings.samples < 4096; ++settings.samples) {
+            equal = render(scene, settings);
+            if (distance(equal, limit) <= kError) break;
+        }
+        Passes work(scene, of_size(kWidth, kHeight));
+        work.refine(kError);
+        const auto all = [](const RayCounts& r) { return r.primary + r.reflected + r.lobe + r.refracted + r.shadow; };
+        EXPECT_LE(double(all(work.rays())), 1.3 * double(all(equal.rays)))
+            << name << ": " << settings.samples << " samples for all tiles alike";
+    });
+}
+
+TEST(Progressive, WhatNeedsNoLobeRayIsExactAfterOnePass) {
+    for (const auto& [name, scene] : shipped_scenes()) {
+        Passes work(sharpened(scene), of_size(kWidth, kHeight));
+        work.survey();
+        EXPECT_EQ(work.estimate(), 0) << name;
+        EXPECT_FALSE(work.plan(1e-9)) << name;
+        EXPECT_EQ(work.picture().hash(), render(sharpened(scene), of_size(kWidth, kHeight)).hash()) << name;
+    }
+}
+
+TEST(Progressive, UnknownBeforeTheFirstPassOfEveryTile) {
+    Passes work(shipped_scenes().front().scene, of_size(kWidth, kHeight));
+    EXPECT_TRUE(std::isinf(work.estimate()));
+    work.survey();
+    EXPECT_TRUE(std::isfinite(work.estimate()));
+}
+
+}  // namespace
+}  // namespace zerkalo::laws

@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+"""What `render --error E` costs beside the smallest fixed --samples that reaches E, scene by scene, as a Markdown table.
+
+Usage: tools/error_goal.py [--program FILE] [--error E] [--size WxH] [--repeat N] [SCENE...]
+
+The reference is the mean of eight pictures of 1021 samples with different rotations. Rays are exact and the same
+everywhere; times are medians of --repeat renderings on one thread, in turn, so that a busy machine slows both.
+Default: every shipped scene with an unpolished mirror, error 0.002, 320x240, 11 repetitions.
+"""
+import argparse
+import array
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+
+def floats_of(path):
+    """The values of a PFM file of three channels."""
+    with open(path, "rb") as file:
+        if file.readline().strip() != b"PF":
+            raise ValueError(f"{path}: not a PFM of three channels")
+        file.readline()
+        little = float(file.readline()) < 0
+        values = array.array("f", file.read())
+    if little != (sys.byteorder == "little"):
+        values.byteswap()
+    return values
+
+
+class Scene:
+    def __init__(self, program, path, size, folder):
+        self.command = [program, "render", str(path), "--size", size, "--threads", "1", "--json"]
+        self.picture = str(pathlib.Path(folder) / "picture.pfm")
+
+    def render(self, *arguments):
+        done = subprocess.run([*self.command, "-o", self.picture, *map(str, arguments)], capture_output=True, check=True)
+        return json.loads(done.stdout)
+
+    def set_reference(self):
+        pictures = []
+        for rotation in range(1001, 1009):
+            self.render("--samples", 1021, "--rotation", rotation)
+            pictures.append(floats_of(self.picture))
+        self.reference = [sum(values) / len(pictures) for values in zip(*pictures)]
+
+    def distance(self):
+        squares = sum((a - b) ** 2 for a, b in zip(floats_of(self.picture), self.reference))
+        return (squares / len(self.reference)) ** 0.5
+
+
+def row(scene, name, error, repeat):
+    scene.set_reference()
+    samples = 0
+    while samples == 0 or scene.distance() > error:
+        samples += 1 + samples // 24
+        fixed = scene.render("--samples", samples)
+    asked = scene.render("--error", error)
+    true = scene.distance()
+    times = {"--samples": [], "--error": []}
+    for _ in range(repeat):
+        for option, value in ("--samples", samples), ("--error", error):
+            times[option].append(scene.render(option, value)["seconds"])
+    fixed_time, asked_time = (sorted(times[option])[repeat // 2] for option in ("--samples", "--error"))
+    rays = sum(asked["rays"].values()) / sum(fixed["rays"].values())
+    lobe = asked["rays"]["lobe"] / fixed["rays"]["lobe"]
+    return (f"| {name} | {samples} | {rays:.2f} | {lobe:.2f} | {asked_time / fixed_time:.2f} "
+            f"| {asked['estimated_error']:.5f} | {true:.5f} |")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", default=str(ROOT / "build/release/tools/zerkalo"))
+    parser.add_argument("--error", type=float, default=0.002)
+    parser.add_argument("--size", default="320x240")
+    parser.add_argument("--repeat", type=int, default=11)
+    parser.add_argument("scenes", nargs="*", type=pathlib.Path)
+    options = parser.parse_args()
+    scenes = options.scenes or sorted((ROOT / "firmware/scenes").glob("*.toml"))
+    print("| scene | fixed samples | rays | lobe rays | time | estimated | true |\n|---|---|---|---|---|---|---|")
+    with tempfile.TemporaryDirectory(prefix="zerkalo-goal-") as folder:
+        for path in scenes:
+            scene = Scene(options.program, path, options.size, folder)
+            if "glossy" in scene.render("--samples", 1)["features"]:
+                print(row(scene, path.stem, options.error, options.repeat), flush=True)
+
+
+if __name__ == "__main__":
+    main()
