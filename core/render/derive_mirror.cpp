@@ -33,7 +33,9 @@ LobeDataOf<F> lobe_of(const Mirror& mirror, const PlanHead& plan, const Constant
     };
     // A keyed rule throws its few rays anywhere: one that culling left out would cost a pixel 1/N, not 1/N of the tail.
     const double tail = is_keyed(plan.sampling.estimator) ? 0 : kTailBound;
-    const double cull = cone(larger(widest, tail)), all = cone(widest);
+    // The coverage of a solid reaches as far as the lobe does, whatever its rays.
+    const bool covered = plan.sampling.estimator == Estimator::fibonacci_coverage;
+    const double cull = cone(covered ? tail : larger(widest, tail)), all = cone(widest);
     lobe.cosine = to.weight((1 - cull) * (1 - kRoom * kRoom));
     lobe.sine = to.weight(square_root(cull * (2 - cull)) * (1 + kRoom));
     lobe.widest_sine = to.weight(square_root(all * (2 - all)) * (1 + kRoom) + kRoom);

@@ -42,10 +42,6 @@ constexpr IsaRow kRows[kIsaCount] = {
 
 const IsaRow& row_of(Isa isa) { return kRows[static_cast<int>(isa)]; }
 
-constexpr std::uint32_t kNeedsGeneral =
-    kFeatureChain | kFeatureBranch | kFeatureCurved | kFeatureMesh | kFeatureFar | kFeatureInside |
-    kFeatureFlush;
-
 struct FeatureName {
     std::uint32_t bit;
     const char* name;
@@ -68,6 +64,7 @@ constexpr FeatureName kFeatureNames[] = {
     {kFeatureInside, "inside"},
     {kFeatureAntialias, "antialias"},
     {kFeatureFlush, "flush"},
+    {kFeatureCoverage, "coverage"},
 };
 
 std::int32_t tiles_across(const PlanHead& plan) { return (plan.width + kTileSide - 1) / kTileSide; }
@@ -107,6 +104,7 @@ Isa best_isa() {
 TileFunction kernel_for(const Plan& plan, Isa isa) {
     const KernelTable& table = *row_of(isa).table;
     if (plan.features & kNeedsGeneral) return table.kernels[kKernelGeneral];
+    if (plan.features & kFeatureCoverage) return table.kernels[kKernelCovered];
     return table.kernels[plan.features & kFeatureGlossy ? kKernelGlossy : kKernelSharp];
 }
 

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "core/numeric/shuffle.hpp"
-#include "core/render/lobe_aim.hpp"
+#include "core/render/cover_solids.hpp"
 #include "core/render/tile.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
@@ -88,11 +88,16 @@ ZERKALO_INLINE void frame_group(GroupFrames<R>& frames, const GlossQueue& queue,
     }
 }
 
+/// Nothing is known of a lobe before its rays.
+struct NoCover {
+    static constexpr bool kCovers = false;
+};
+
 /// The lobe rays of packet i of a group, number `at` and on in its queue, for one chunk of the lattice: adds to the queue's sums.
-template <class R>
-ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, const GroupAim<R>& group_aim,
-                                const GroupFrames<R>& frames, const LatticeChunk& chunk, GlossQueue& queue,
-                                std::int32_t at, std::int32_t i, TileCounts& counts) {
+template <class R, class Cover>
+ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, const Cover& cover,
+                                const GroupAim<R>& group_aim, const GroupFrames<R>& frames, const LatticeChunk& chunk,
+                                GlossQueue& queue, std::int32_t at, std::int32_t i, TileCounts& counts) {
     const auto active = load<R>(kLaneNumbers.real) < R(float(queue.count - at));
     const Vec3<R>& p = frames.p[i];
     const LobeFrame<R>& frame = frames.frame[i];
@@ -114,20 +119,25 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
         store(queue.weight + at, weight_sum);
     }
 
-    const Rgb<R> background = spread<R>(plan.background);
+    const Rgb<R> background = spread<R>(plan.background), none_yet = spread<R>(Rgb<float>{0, 0, 0});
     Rgb<R> sum{load<R>(queue.r + at), load<R>(queue.g + at), load<R>(queue.b + at)};
     for (std::uint64_t left = aim.reach & first_bits(chunk.count); left != 0; left &= left - 1) {
         const std::int32_t s = first_of(left);
         const Vec3<R> d = frame.m * R(chunk.forward[s]) + frame.t * R(chunk.side[s]) + frame.b * R(chunk.up[s]);
         if (aim.shared >> s & 1) {
             CandidateMask asked = 0;
-            const Nearest<R> near = nearest_in_lobe(plan, aim, s, p, d, asked);
+            Rgb<R> counted = none_yet;
+            const auto each = [&](int k, R face, Mask<R> met) ZERKALO_INLINE_LAMBDA {
+                if constexpr (Cover::kCovers) add_counted(counted, cover, k, face, met);
+            };
+            const Nearest<R> near = nearest_in_lobe(plan, aim, s, p, d, asked, each);
             Mask<R> hit = active & (near.id >= R(0));
             if (none(hit)) continue;
             if (dips) hit = hit & (ray_cosine(n, chunk, s) > R(0));
             Rgb<R> light = solid_light(plan, asked, near, p, d, hit, background, counts) - background;
             if (weighted) light = scaled(light, lobe_weight(ray_cosine(n, chunk, s), inverse_cosine));
             sum = sum + light;
+            if constexpr (Cover::kCovers) sum = sum - counted;
         } else {
             const LobeCandidate<R>& candidate = only_candidate(aim, s);
             R t = R(0), face = R(0);
@@ -138,10 +148,15 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
                 face = span.face_in;
             });
             if (none(hit)) continue;
+            if constexpr (Cover::kCovers) {
+                Rgb<R> counted = none_yet;
+                add_counted(counted, cover, candidate.k, face, hit);
+                sum = sum - counted;
+            }
             if (dips) hit = hit & (ray_cosine(n, chunk, s) > R(0));
             Rgb<R> light = light_of_solid<R>(plan, *candidate.solid, p + d * t, face, d, hit, counts) - background;
             if (weighted) light = scaled(light, lobe_weight(ray_cosine(n, chunk, s), inverse_cosine));
-            sum = sum + select(hit, light, spread<R>(Rgb<float>{0, 0, 0}));
+            sum = sum + select(hit, light, none_yet);
         }
     }
     store(queue.r + at, sum.r), store(queue.g + at, sum.g), store(queue.b + at, sum.b);
@@ -180,12 +195,30 @@ ZERKALO_ONCE void fill_class_chunks(LatticeChunk* chunks, const Plan& plan, cons
     }
 }
 
-/// Traces all waiting pixels of camera sample `sample` and adds what they see in the mirror to their colours.
-/// A function of its own, so that its stack and the camera rays' are not held at the same time as one frame's spills.
+/// Starts the sums of a group's pixels with the covered part of their light, once for each of the rays to come.
 template <class R>
-ZERKALO_ONCE void flush(GlossQueues& queues, const LatticeClasses& classes, const Plan& plan,
-                          const MirrorPlan& mirror, CandidateMask candidates, std::uint32_t sample,
-                          TileColours& colours, TileCounts& counts) {
+ZERKALO_INLINE void start_sums(GlossQueue& queue, std::int32_t first, const GroupFrames<R>& frames, const Plan& plan,
+                               const MirrorPlan& mirror, const TileCover& cover, TileCounts& counts) {
+    const R samples = R(float(plan.samples));
+    for (std::int32_t i = 0; i < frames.packets; ++i) {
+        const std::int32_t at = first + i * kWidth<R>;
+        const auto active = load<R>(kLaneNumbers.real) < R(float(queue.count - at));
+        Mask<R> covered, sampled = Mask<R>(false);
+        const Rgb<R> light = scaled(covered_light(cover, plan, mirror, frames.p[i], frames.frame[i], covered), samples);
+        store(queue.r + at, light.r), store(queue.g + at, light.g), store(queue.b + at, light.b);
+        for (CandidateMask left = cover.plain; left != 0; left &= left - 1) {
+            sampled = sampled | lobe_may_meet(plan.solids[first_of(left)], mirror.lobe, frames.p[i], frames.frame[i].m);
+        }
+        counts.covered += count_of(active & covered);
+        counts.sampled += count_of(active & sampled);
+    }
+}
+
+/// Traces all waiting pixels of camera sample `sample` and adds what they see in the mirror to their colours.
+template <class R, class Cover>
+ZERKALO_INLINE void trace_waiting(GlossQueues& queues, const LatticeClasses& classes, const Plan& plan,
+                                  const MirrorPlan& mirror, CandidateMask candidates, const Cover& cover,
+                                  std::uint32_t sample, TileColours& colours, TileCounts& counts) {
     for (int c = 0; c < kLatticeClasses; ++c) {
         fill_queue<R>(queues.of_class[c], queues.waiting & pixels_of_class(classes, c), mirror.lobe.max_phong);
     }
@@ -204,14 +237,30 @@ ZERKALO_ONCE void flush(GlossQueues& queues, const LatticeClasses& classes, cons
             const LatticeChunk& chunk = chunks[c & int{keyed}];
             for (std::int32_t at = 0; at < queue.count; at += kGroupPackets<R> * kWidth<R>) {
                 frame_group(frames, queue, at, queues.points, phase);
+                if constexpr (Cover::kCovers) {
+                    if (first == 0) start_sums(queue, at, frames, plan, mirror, cover, counts);
+                }
                 aim_group(aim, plan, mirror.lobe, candidates, chunk, frames);
                 for (std::int32_t i = 0; i < frames.packets; ++i) {
-                    shoot_chunk<R>(plan, mirror, aim, frames, chunk, queue, at + i * kWidth<R>, i, counts);
+                    shoot_chunk<R>(plan, mirror, cover, aim, frames, chunk, queue, at + i * kWidth<R>, i, counts);
                 }
             }
         }
     }
     for (GlossQueue& queue : queues.of_class) settle<R>(queue, plan, mirror, colours);
+}
+
+/// A function of its own, so that its stack and the camera rays' are not held at the same time as one frame's spills.
+template <class R>
+ZERKALO_ONCE void flush(GlossQueues& queues, const LatticeClasses& classes, const Plan& plan, const MirrorPlan& mirror,
+                        CandidateMask candidates, std::uint32_t sample, TileColours& colours, TileCounts& counts) {
+    trace_waiting<R>(queues, classes, plan, mirror, candidates, NoCover{}, sample, colours, counts);
+}
+template <class R>
+ZERKALO_ONCE void flush_covered(GlossQueues& queues, const LatticeClasses& classes, const Plan& plan,
+                                const MirrorPlan& mirror, CandidateMask candidates, const TileCover& cover,
+                                std::uint32_t sample, TileColours& colours, TileCounts& counts) {
+    trace_waiting<R>(queues, classes, plan, mirror, candidates, cover, sample, colours, counts);
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

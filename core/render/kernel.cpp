@@ -23,8 +23,9 @@ void in_ieee_mode(const Plan& plan, const Rect& tile, const LinearImage& image, 
 }  // namespace
 
 extern const KernelTable ZERKALO_TABLE;
-const KernelTable ZERKALO_TABLE = {{&in_ieee_mode<&render_tile_one_bounce<R, false>>,
-                                    &in_ieee_mode<&render_tile_one_bounce<R, true>>,
+const KernelTable ZERKALO_TABLE = {{&in_ieee_mode<&render_tile_one_bounce<R, Bounce::sharp>>,
+                                    &in_ieee_mode<&render_tile_one_bounce<R, Bounce::lobe>>,
+                                    &in_ieee_mode<&render_tile_one_bounce<R, Bounce::covered_lobe>>,
                                     &in_ieee_mode<&render_tile_general<G>>}};
 
 }  // namespace zerkalo

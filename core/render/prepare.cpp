@@ -1,4 +1,5 @@
 #include "core/numeric/float_mode.hpp"
+#include "core/optics/lobe_profile.hpp"
 #include "core/render/cull.hpp"
 #include "core/render/derive_planes.hpp"
 #include "core/render/fit.hpp"
@@ -144,6 +145,13 @@ std::uint32_t features_of_solids(const PlanOf<F>& plan) {
     return features;
 }
 
+/// Only the kernels for at most one bounce cover solids; elsewhere the estimator is the plain lattice.
+bool has_coverage(const Plan& plan) {
+    return plan.sampling.estimator == Estimator::fibonacci_coverage && (plan.features & kFeatureGlossy) &&
+           !(plan.features & kNeedsGeneral);
+}
+bool has_coverage(const FixedPlan&) { return false; }
+
 template <class F>
 void derive_features(const Scene& scene, const Constants<F>& to, PlanOf<F>& plan) {
     plan.features |= features_of_solids(plan);
@@ -164,6 +172,12 @@ void derive_features(const Scene& scene, const Constants<F>& to, PlanOf<F>& plan
     }
     if (plan.light_count > 0 && plan.solid_count + plan.mirror_count > 1) plan.features |= kFeatureShadow;
     if (plan.antialias > 1) plan.features |= kFeatureAntialias;
+    if (has_coverage(plan)) plan.features |= kFeatureCoverage;
+}
+
+void derive_coverage(double exponent, MirrorPlan& mirror) {
+    mirror.profile = profile_of(exponent);
+    fill_chunk<float>(mirror.scouts, sampling_of(Estimator::fibonacci, 0), mirror.lobe, 0, kScouts);
 }
 
 /// What only the kernels for at most one bounce read.
@@ -178,6 +192,12 @@ void derive_one_bounce(const Scene& scene, const Settings& settings, const Viewp
         MirrorPlan& mirror = plan.mirrors[m];
         if (!mirror.lobe.glossy || is_keyed(plan.sampling.estimator)) continue;
         fill_chunk<float>(mirror.lattice, plan.sampling, mirror.lobe, 0, settings.samples);
+        if (plan.features & kFeatureCoverage) derive_coverage(scene.mirrors[m].lobe_exponent, mirror);
+    }
+    if (plan.features & kFeatureCoverage) {
+        for (std::int32_t k = 0; k < scene.solid_count; ++k) {
+            derive_outline(scene, scene.solids[k], to, plan.outlines[k]);
+        }
     }
     if (plan.mirror_count > 0) derive_tile_corners(plan);
     derive_image_bounds(scene, eye, plan);

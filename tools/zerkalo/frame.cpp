@@ -22,6 +22,8 @@ void add(RayCounts& sum, const RayCounts& more) {
     sum.lobe += more.lobe;
     sum.refracted += more.refracted;
     sum.shadow += more.shadow;
+    sum.covered += more.covered;
+    sum.sampled += more.sampled;
 }
 
 RayCounts render_once(const Frame& frame, Progress* progress) {
