@@ -66,6 +66,18 @@ struct LobeDataOf {
 };
 using LobeData = LobeDataOf<FloatFormats>;
 
+constexpr int kProfileTerms = 10;
+
+/// Of a lobe cos^n, for its coverage (optics/coverage.hpp): the polynomial that stands for the power, and the cone
+/// beyond which the power counts as 0.
+struct LobeProfile {
+    float powers[kProfileTerms];  // of y = to_unit v - 1, v = sin^2 of the angle to the axis: (1 - cos^(n+1)) / v
+    float to_unit;
+    float edge;       // sin^2 of the cone's half-angle
+    float tangent2;   // tan^2 of it
+    float from_axis;  // 1 - its cosine
+};
+
 constexpr int kChunk = 64;         // lattice points held at a time: one bit each in a mask
 constexpr int kChunkPadding = 16;  // of the widest lane
 

@@ -43,6 +43,9 @@ template <class F>
 void derive_solid(const Scene& scene, std::int32_t k, const Constants<F>& to, std::int32_t& slabs,
                   std::int32_t& triangles, PlanOf<F>& plan);
 
+/// The corners and edges of a polyhedron, for the coverage of lobes.
+void derive_outline(const Scene& scene, const Solid& solid, const Constants<FloatFormats>& to, Outline& out);
+
 /// A lower bound of the distance from p to the solid's surface from outside, negative inside, and the outward normal of
 /// the face that sets it. Not for meshes.
 struct Clearance {

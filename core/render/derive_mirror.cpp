@@ -72,7 +72,9 @@ void derive_cone(double n, const PlanHead& plan, bool survey, const Constants<F>
     // A keyed rule throws its few rays anywhere: one that culling left out would cost a pixel 1/N, not 1/N of the tail.
     const bool keyed = is_keyed(plan.sampling.estimator);
     const double tail = keyed ? 0 : kTailBound;
-    const double cull = cone(survey && !keyed ? tail : larger(widest, tail)), all = cone(widest);
+    // The coverage of a solid reaches as far as the lobe does, whatever its rays.
+    const bool whole = plan.sampling.estimator == Estimator::fibonacci_coverage || (survey && !keyed);
+    const double cull = cone(whole ? tail : larger(widest, tail)), all = cone(widest);
     lobe.cosine = to.weight((1 - cull) * (1 - kRoom * kRoom));
     lobe.sine = to.weight(square_root(cull * (2 - cull)) * (1 + kRoom));
     lobe.widest_sine = to.weight(square_root(all * (2 - all)) * (1 + kRoom) + kRoom);

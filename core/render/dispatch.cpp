@@ -42,10 +42,6 @@ constexpr IsaRow kRows[kIsaCount] = {
 
 const IsaRow& row_of(Isa isa) { return kRows[static_cast<int>(isa)]; }
 
-constexpr std::uint32_t kNeedsGeneral =
-    kFeatureChain | kFeatureBranch | kFeatureCurved | kFeatureMesh | kFeatureFar | kFeatureInside |
-    kFeatureFlush;
-
 struct FeatureName {
     std::uint32_t bit;
     const char* name;
@@ -68,10 +64,12 @@ constexpr FeatureName kFeatureNames[] = {
     {kFeatureInside, "inside"},
     {kFeatureAntialias, "antialias"},
     {kFeatureFlush, "flush"},
+    {kFeatureCoverage, "coverage"},
 };
 
 KernelKind kind_of(const Plan& plan) {
     if (plan.features & kNeedsGeneral) return kKernelGeneral;
+    if (plan.features & kFeatureCoverage) return kKernelCovered;
     return plan.features & kFeatureGlossy ? kKernelGlossy : kKernelSharp;
 }
 

@@ -8,74 +8,11 @@
 // of max-Phong: Neumann, Neumann, Szirmay-Kalos, "Compact Metallic Reflectance Models", CGF 18(3), 1999.
 #pragma once
 
-#include "core/numeric/shuffle.hpp"
-#include "core/render/lobe_aim.hpp"
+#include "core/render/cover_solids.hpp"
+#include "core/render/gloss_queue.hpp"
 #include "core/render/spread.hpp"
-#include "core/render/tile.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
-
-constexpr int kClassPixels = kTilePixels / kLatticeClasses;  // each block of 2x2 pixels has one of each
-
-/// What the pixels of a tile see at the mirror: the point and the mirror direction, by pixel.
-struct GlossPoints {
-    alignas(64) float px[kTilePixels], py[kTilePixels], pz[kTilePixels];
-    alignas(64) float mx[kTilePixels], my[kTilePixels], mz[kTilePixels];
-};
-
-/// Pixels of one lattice class that wait for their lobe rays, and the sums of these.
-struct GlossQueue {
-    alignas(64) float r[kClassPixels], g[kClassPixels], b[kClassPixels];
-    alignas(64) float weight[kClassPixels];
-    std::uint8_t pixel[kClassPixels];
-    std::int32_t count;
-};
-
-/// The pixels of a tile that wait, and the queues that they are sorted into.
-struct GlossQueues {
-    GlossPoints points;
-    GlossQueue of_class[kLatticeClasses];
-    std::uint64_t waiting;  // bit p: pixel p
-    std::uint32_t tile;     // its hash
-};
-
-/// The same sums apart for every kSpreadParts-th lobe ray: how far these parts lie from one another tells the error.
-template <bool Spread>
-struct GlossParts {};
-template <>
-struct GlossParts<true> {
-    using OfClasses = float[kLatticeClasses][kSpreadParts][kClassPixels];
-    alignas(64) OfClasses r, g, b, weight;
-};
-
-template <class R>
-ZERKALO_INLINE void add_to(float* sums, R x) {
-    store(sums, load<R>(sums) + x);
-}
-
-/// Notes the packet's points and lets the lanes of the mask wait.
-template <class R>
-ZERKALO_INLINE void enqueue(GlossQueues& queues, Mask<R> mask, Vec3<R> p, Vec3<R> m, int first) {
-    GlossPoints& points = queues.points;
-    store(points.px + first, p.x), store(points.py + first, p.y), store(points.pz + first, p.z);
-    store(points.mx + first, m.x), store(points.my + first, m.y), store(points.mz + first, m.z);
-    queues.waiting |= std::uint64_t{bits_of(mask)} << first;
-}
-
-/// Fills a queue with the pixels of its class, its last packet with copies of the last one, and clears the sums.
-template <class R>
-ZERKALO_INLINE void fill_queue(GlossQueue& queue, std::uint64_t pixels, bool weighted) {
-    std::int32_t count = 0;
-    for (; pixels != 0; pixels &= pixels - 1) queue.pixel[count++] = static_cast<std::uint8_t>(first_of(pixels));
-    queue.count = count;
-    if (count == 0) return;
-    std::int32_t padded = count;
-    for (; padded % kWidth<R> != 0; ++padded) queue.pixel[padded] = queue.pixel[count - 1];
-    for (std::int32_t at = 0; at < padded; at += kWidth<R>) {
-        store(queue.r + at, R(0)), store(queue.g + at, R(0)), store(queue.b + at, R(0));
-        if (weighted) store(queue.weight + at, R(0));
-    }
-}
 
 /// The mirror's normal in the lobe's frame.
 template <class R>
@@ -103,11 +40,16 @@ ZERKALO_INLINE void frame_group(GroupFrames<R>& frames, const GlossQueue& queue,
     }
 }
 
+/// Nothing is known of a lobe before its rays.
+struct NoCover {
+    static constexpr bool kCovers = false;
+};
+
 /// The lobe rays of packet i of a group, number `at` and on in its queue, for one chunk of the lattice: adds to the queue's sums.
-template <class R, bool Spread>
-ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, const GroupAim<R>& group_aim,
-                                const GroupFrames<R>& frames, const LatticeChunk& chunk, GlossQueue& queue,
-                                std::int32_t at, std::int32_t i, GlossParts<Spread>& parts, int c,
+template <class R, bool Spread, class Cover>
+ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, const Cover& cover,
+                                const GroupAim<R>& group_aim, const GroupFrames<R>& frames, const LatticeChunk& chunk,
+                                GlossQueue& queue, std::int32_t at, std::int32_t i, GlossParts<Spread>& parts, int c,
                                 TileCounts& counts) {
     const auto active = load<R>(kLaneNumbers.real) < R(float(queue.count - at));
     const Vec3<R>& p = frames.p[i];
@@ -132,7 +74,7 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
         store(queue.weight + at, weight_sum);
     }
 
-    const Rgb<R> background = spread<R>(plan.background);
+    const Rgb<R> background = spread<R>(plan.background), none_yet = spread<R>(Rgb<float>{0, 0, 0});
     Rgb<R> sum{load<R>(queue.r + at), load<R>(queue.g + at), load<R>(queue.b + at)};
     const auto note = [&](std::int32_t s, const Rgb<R>& light) ZERKALO_INLINE_LAMBDA {
         if constexpr (Spread) {
@@ -146,7 +88,11 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
         const Vec3<R> d = frame.m * R(chunk.forward[s]) + frame.t * R(chunk.side[s]) + frame.b * R(chunk.up[s]);
         if (aim.shared >> s & 1) {
             CandidateMask asked = 0;
-            const Nearest<R> near = nearest_in_lobe(plan, aim, s, p, d, asked);
+            Rgb<R> counted = none_yet;
+            const auto each = [&](int k, R face, Mask<R> met) ZERKALO_INLINE_LAMBDA {
+                if constexpr (Cover::kCovers) add_counted(counted, cover, k, face, met);
+            };
+            const Nearest<R> near = nearest_in_lobe(plan, aim, s, p, d, asked, each);
             Mask<R> hit = active & (near.id >= R(0));
             if (none(hit)) continue;
             if (dips) hit = hit & (ray_cosine(n, chunk, s) > R(0));
@@ -154,6 +100,10 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
             if (weighted) light = scaled(light, lobe_weight(ray_cosine(n, chunk, s), inverse_cosine));
             sum = sum + light;
             note(s, light);
+            if constexpr (Cover::kCovers) {
+                sum = sum - counted;
+                note(s, none_yet - counted);
+            }
         } else {
             const LobeCandidate<R>& candidate = only_candidate(aim, s);
             R t = R(0), face = R(0);
@@ -164,10 +114,16 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
                 face = span.face_in;
             });
             if (none(hit)) continue;
+            if constexpr (Cover::kCovers) {
+                Rgb<R> counted = none_yet;
+                add_counted(counted, cover, candidate.k, face, hit);
+                sum = sum - counted;
+                note(s, none_yet - counted);
+            }
             if (dips) hit = hit & (ray_cosine(n, chunk, s) > R(0));
             Rgb<R> light = light_of_solid<R>(plan, *candidate.solid, p + d * t, face, d, hit, counts) - background;
             if (weighted) light = scaled(light, lobe_weight(ray_cosine(n, chunk, s), inverse_cosine));
-            light = select(hit, light, spread<R>(Rgb<float>{0, 0, 0}));
+            light = select(hit, light, none_yet);
             sum = sum + light;
             note(s, light);
         }
@@ -229,12 +185,31 @@ ZERKALO_ONCE void fill_class_chunks(LatticeChunk* chunks, const Plan& plan, cons
     }
 }
 
+/// Starts the sums of a group's pixels with the covered part of their light, once for each of the rays to come.
+template <class R>
+ZERKALO_INLINE void start_sums(GlossQueue& queue, std::int32_t first, const GroupFrames<R>& frames, const Plan& plan,
+                               const MirrorPlan& mirror, const TileCover& cover, TileCounts& counts) {
+    const R samples = R(float(plan.samples));
+    for (std::int32_t i = 0; i < frames.packets; ++i) {
+        const std::int32_t at = first + i * kWidth<R>;
+        const auto active = load<R>(kLaneNumbers.real) < R(float(queue.count - at));
+        Mask<R> covered, sampled = Mask<R>(false);
+        const Rgb<R> light = scaled(covered_light(cover, plan, mirror, frames.p[i], frames.frame[i], covered), samples);
+        store(queue.r + at, light.r), store(queue.g + at, light.g), store(queue.b + at, light.b);
+        for (CandidateMask left = cover.plain; left != 0; left &= left - 1) {
+            sampled = sampled | lobe_may_meet(plan.solids[first_of(left)], mirror.lobe, frames.p[i], frames.frame[i].m);
+        }
+        counts.covered += count_of(active & covered);
+        counts.sampled += count_of(active & sampled);
+    }
+}
+
 /// Traces all waiting pixels of camera sample `sample` and adds what they see in the mirror to their colours.
 /// A function of its own, so that its stack and the camera rays' are not held at the same time as one frame's spills.
-template <class R, bool Spread>
+template <class R, bool Spread, class Cover>
 ZERKALO_ONCE void flush(GlossQueues& queues, const LatticeClasses& classes, const Plan& plan,
-                          const MirrorPlan& mirror, CandidateMask candidates, std::uint32_t sample,
-                          TileColours& colours, TileSpread* spread_of_tile, TileCounts& counts) {
+                        const MirrorPlan& mirror, CandidateMask candidates, const Cover& cover, std::uint32_t sample,
+                        TileColours& colours, TileSpread* spread_of_tile, TileCounts& counts) {
     for (int c = 0; c < kLatticeClasses; ++c) {
         fill_queue<R>(queues.of_class[c], queues.waiting & pixels_of_class(classes, c), mirror.lobe.max_phong);
     }
@@ -254,10 +229,13 @@ ZERKALO_ONCE void flush(GlossQueues& queues, const LatticeClasses& classes, cons
             const LatticeChunk& chunk = chunks[c & int{keyed}];
             for (std::int32_t at = 0; at < queue.count; at += kGroupPackets<R> * kWidth<R>) {
                 frame_group(frames, queue, at, queues.points, phase);
+                if constexpr (Cover::kCovers) {
+                    if (first == 0) start_sums(queue, at, frames, plan, mirror, cover, counts);
+                }
                 aim_group(aim, plan, mirror.lobe, candidates, chunk, frames);
                 for (std::int32_t i = 0; i < frames.packets; ++i) {
-                    shoot_chunk<R, Spread>(plan, mirror, aim, frames, chunk, queue, at + i * kWidth<R>, i, parts, c,
-                                           counts);
+                    shoot_chunk<R, Spread>(plan, mirror, cover, aim, frames, chunk, queue, at + i * kWidth<R>, i, parts,
+                                           c, counts);
                 }
             }
         }

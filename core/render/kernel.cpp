@@ -14,10 +14,10 @@ using G = Real<(ZERKALO_WIDTH < 8 ? ZERKALO_WIDTH : 8)>;
 
 namespace {
 
-template <bool Glossy>
+template <Bounce bounce>
 void one_bounce(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
     const IeeeMode ieee;
-    render_tile_one_bounce<R, Glossy>(plan, tile, image, counts);
+    render_tile_one_bounce<R, bounce>(plan, tile, image, counts);
 }
 void general(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
     const IeeeMode ieee;
@@ -28,13 +28,14 @@ void general(const Plan& plan, const Rect& tile, const LinearImage& image, RayCo
 void sharp_with_spread(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
                        TileSpread& spread) {
     spread = {};
-    one_bounce<false>(plan, tile, image, counts);
+    one_bounce<Bounce::sharp>(plan, tile, image, counts);
 }
-void glossy_with_spread(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
-                        TileSpread& spread) {
+template <Bounce bounce>
+void lobe_with_spread(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
+                      TileSpread& spread) {
     const IeeeMode ieee;
     spread = {};
-    render_tile_one_bounce<R, true, true>(plan, tile, image, counts, &spread);
+    render_tile_one_bounce<R, bounce, true>(plan, tile, image, counts, &spread);
 }
 void general_with_spread(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
                          TileSpread& spread) {
@@ -46,7 +47,9 @@ void general_with_spread(const Plan& plan, const Rect& tile, const LinearImage& 
 }  // namespace
 
 extern const KernelTable ZERKALO_TABLE;
-const KernelTable ZERKALO_TABLE = {{&one_bounce<false>, &one_bounce<true>, &general},
-                                   {&sharp_with_spread, &glossy_with_spread, &general_with_spread}};
+const KernelTable ZERKALO_TABLE = {
+    {&one_bounce<Bounce::sharp>, &one_bounce<Bounce::lobe>, &one_bounce<Bounce::covered_lobe>, &general},
+    {&sharp_with_spread, &lobe_with_spread<Bounce::lobe>, &lobe_with_spread<Bounce::covered_lobe>,
+     &general_with_spread}};
 
 }  // namespace zerkalo

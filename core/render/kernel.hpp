@@ -5,7 +5,7 @@
 
 namespace zerkalo {
 
-enum KernelKind : int { kKernelSharp, kKernelGlossy, kKernelGeneral, kKernelKinds };
+enum KernelKind : int { kKernelSharp, kKernelGlossy, kKernelCovered, kKernelGeneral, kKernelKinds };
 
 struct KernelTable {
     TileFunction kernels[kKernelKinds];

@@ -168,10 +168,11 @@ ZERKALO_INLINE void with_candidate_span(const Plan& plan, const LobeCandidate<R>
     }
 }
 
-/// The nearest solid of each lane along ray s of the chunk, d; adds to `asked` the solids that were asked.
-template <class R>
+/// The nearest solid of each lane along ray s of the chunk, d; adds to `asked` the solids that were asked, and tells
+/// `each` the solid, the face and the lanes of every hit, near or not.
+template <class R, class Each>
 ZERKALO_INLINE Nearest<R> nearest_in_lobe(const Plan& plan, const LobeAim<R>& aim, std::int32_t s, Vec3<R> p, Vec3<R> d,
-                                          CandidateMask& asked) {
+                                          CandidateMask& asked, Each each) {
     Nearest<R> best = nothing_yet<R>();
     for (std::int32_t c = 0; c < aim.count; ++c) {
         const LobeCandidate<R>& candidate = aim.candidates[c];
@@ -179,7 +180,9 @@ ZERKALO_INLINE Nearest<R> nearest_in_lobe(const Plan& plan, const LobeAim<R>& ai
         const SolidPlan& solid = *candidate.solid;
         asked |= CandidateMask{1} << candidate.k;
         with_candidate_span(plan, candidate, p, d, [&](const Span<FloatNumbers<R>>& span) ZERKALO_INLINE_LAMBDA {
-            keep_nearer(best, span, solid, (span.entry <= span.exit) & candidate.allowed);
+            const auto met = (span.entry <= span.exit) & candidate.allowed;
+            keep_nearer(best, span, solid, met);
+            each(candidate.k, span.face_in, met & (span.entry > R(0)));
         });
     }
     return best;

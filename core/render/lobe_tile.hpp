@@ -49,13 +49,9 @@ ZERKALO_INLINE TileLobe lobe_of_tile(const Plan& plan, const Rect& tile) {
     return lobe;
 }
 
-/// Solids that some lobe ray of the tile's mirror pixels may meet, as the packets' own test would say.
+/// Solids that the cone of a tile's lobes can meet.
 template <class R>
-ZERKALO_INLINE CandidateMask candidates_of_tile(const Plan& plan, const Rect& tile) {
-    const CandidateMask everything = first_bits(plan.solid_count);
-    if (plan.exact_plan) return everything;
-    const TileLobe lobe = lobe_of_tile<R>(plan, tile);
-    if (!lobe.bounded) return everything;
+ZERKALO_INLINE CandidateMask solids_in_reach(const Plan& plan, const TileLobe& lobe) {
     CandidateMask mask = 0;
     const BoundTable& bounds = plan.bounds;
     for (std::int32_t k = 0; k < plan.solid_count; k += kWidth<R>) {
@@ -66,7 +62,17 @@ ZERKALO_INLINE CandidateMask candidates_of_tile(const Plan& plan, const Rect& ti
         const auto meets = (reach >= R(0)) & (dot(across, across) * R(lobe.cosine * lobe.cosine) <= reach * reach);
         mask |= CandidateMask{bits_of(meets)} << k;
     }
-    return mask & everything;
+    return mask & first_bits(plan.solid_count);
+}
+
+/// Solids that some lobe ray of the tile's mirror pixels may meet, as the packets' own test would say.
+template <class R>
+ZERKALO_INLINE CandidateMask candidates_of_tile(const Plan& plan, const Rect& tile) {
+    const CandidateMask everything = first_bits(plan.solid_count);
+    if (plan.exact_plan) return everything;
+    const TileLobe lobe = lobe_of_tile<R>(plan, tile);
+    if (!lobe.bounded) return everything;
+    return solids_in_reach<R>(plan, lobe);
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

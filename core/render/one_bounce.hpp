@@ -9,6 +9,8 @@
 #include "core/render/lobe_tile.hpp"
 #include "core/render/render.hpp"
 
+#include <type_traits>
+
 namespace zerkalo::inline ZERKALO_ISA {
 
 /// I_r of a polished mirror: what its one ray sees.
@@ -41,6 +43,9 @@ ZERKALO_INLINE Rgb<R> queue_gloss(const Plan& plan, const TileView& view, const 
     if (any(waiting)) enqueue(queues, waiting, spot.p, m, first);
     return select(waiting, spread<R>(Rgb<float>{0, 0, 0}), spread<R>(background));
 }
+
+/// What the mirror does with a ray: one ray on, a lobe of rays, or a lobe whose solids are covered before its rays.
+enum class Bounce { sharp, lobe, covered_lobe };
 
 /// The colours of one packet, without what waits in the queue.
 template <bool Glossy, class R>
@@ -80,10 +85,11 @@ ZERKALO_INLINE Rgb<R> packet_light(const Plan& plan, const TileView& view, Vec3<
     return select(on_mirror, seen, light);
 }
 
-/// Renders one tile. R: the lanes; Glossy: the mirror is unpolished; Spread: tell how sure the average is.
-template <class R, bool Glossy, bool Spread = false>
+/// Renders one tile. R: the lanes; Spread: tell how sure the average is.
+template <class R, Bounce bounce, bool Spread = false>
 inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
                                    TileSpread* spread_of_tile = nullptr) {
+    constexpr bool Glossy = bounce != Bounce::sharp, Covered = bounce == Bounce::covered_lobe;
     counts.primary += static_cast<std::uint64_t>(tile.width) * static_cast<std::uint64_t>(tile.height) *
                       static_cast<std::uint64_t>(plan.antialias);
     TileView view = view_of_tile<R>(plan, tile);
@@ -95,6 +101,8 @@ inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const Lin
     queues.tile = tile_hash(plan, tile);
     const LatticeClasses classes = lattice_classes(queues.tile);
     if (Glossy && mirrors_in(view.seen) != 0) view.in_lobe = candidates_of_tile<R>(plan, tile);
+    std::conditional_t<Covered, TileCover, NoCover> cover;
+    [[maybe_unused]] bool cover_is_known = false;
     const bool whole = tile.width == kTileSide && tile.height == kTileSide;
     for (std::int32_t a = 0; a < plan.antialias; ++a) {
         const SubPixel at = sub_pixel<float>(a, plan.antialias);
@@ -112,10 +120,13 @@ inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const Lin
             put(colours, first, light, a > 0);
         }
         if constexpr (Glossy) {
-            if (queues.waiting != 0) {
-                flush<R, Spread>(queues, classes, plan, plan.mirrors[0], view.in_lobe, static_cast<std::uint32_t>(a),
-                                 colours, spread_of_tile, tile_counts);
+            if (queues.waiting == 0) continue;
+            if constexpr (Covered) {
+                if (!cover_is_known) cover_tile<R>(cover, plan, tile, tile_counts);
+                cover_is_known = true;
             }
+            flush<R, Spread>(queues, classes, plan, plan.mirrors[0], view.in_lobe, cover, static_cast<std::uint32_t>(a),
+                             colours, spread_of_tile, tile_counts);
         }
     }
     if (plan.antialias > 1) average<R>(colours, plan.antialias);
@@ -124,6 +135,7 @@ inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const Lin
     counts.reflected += tile_counts.reflected;
     counts.lobe += tile_counts.lobe;
     counts.shadow += tile_counts.shadow;
+    if constexpr (Covered) counts.covered += tile_counts.covered, counts.sampled += tile_counts.sampled;
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

@@ -5,6 +5,7 @@
 
 #include "core/image/image_view.hpp"
 #include "core/optics/optics_data.hpp"
+#include "core/render/outline.hpp"
 #include "core/render/settings.hpp"
 #include "core/scene/scene.hpp"
 #include "core/shapes/mirror_data.hpp"
@@ -37,7 +38,14 @@ enum Feature : std::uint32_t {
     kFeatureAntialias = 1u << 14,
     kFeatureFresnel = 1u << 15,  // a transparent solid that reflects by Fresnel's equations
     kFeatureFlush = 1u << 16,    // a solid's face lies in the plane of a mirror and looks to the camera's side
+    kFeatureCoverage = 1u << 17,  // how much of a lobe the solids cover is integrated, not sampled
 };
+
+/// What only the general kernel does.
+constexpr std::uint32_t kNeedsGeneral = kFeatureChain | kFeatureBranch | kFeatureCurved | kFeatureMesh | kFeatureFar |
+                                        kFeatureInside | kFeatureFlush;
+
+constexpr std::int32_t kScouts = 32;  // rays that look which solids hide each other from a tile of mirror pixels
 
 /// How the rays of one kind meet a solid: the closed list of kernels behind the six kinds of a scene.
 enum class ShapeKind : std::uint8_t { sphere, half_spaces, tube, mesh };
@@ -70,6 +78,8 @@ struct OneBounceMirror {};
 template <>
 struct OneBounceMirror<FloatFormats> {
     LatticeChunk lattice;  // the lobe's first points; all of them if `samples` are at most kChunk
+    LobeProfile profile;   // for its coverage
+    LatticeChunk scouts;   // of every size of lattice the same few points: which solids hide each other
 };
 template <class F>
 struct OneBounceLight {};
@@ -175,6 +185,7 @@ struct BoundTable {
 
 template <>
 struct OneBouncePlan<FloatFormats> {
+    Outline outlines[kMaxSolids];
     TileCorners tile_corners;
     SharedOrigin camera_origin;
     BoundTable bounds;

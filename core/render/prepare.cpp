@@ -1,7 +1,9 @@
 #include "core/numeric/float_mode.hpp"
+#include "core/optics/lobe_profile.hpp"
 #include "core/render/cull.hpp"
 #include "core/render/derive_planes.hpp"
 #include "core/render/fit.hpp"
+#include "core/render/lattice_chunk.hpp"
 #include "core/render/meet.hpp"
 #include "core/render/render.hpp"
 #include "core/render/surroundings.hpp"
@@ -142,6 +144,14 @@ std::uint32_t features_of_solids(const PlanOf<F>& plan) {
     return features;
 }
 
+/// Only the kernels for at most one bounce cover solids; elsewhere the estimator is the plain lattice.
+template <class F>
+bool has_coverage(const PlanOf<F>& plan) {
+    return std::same_as<F, FloatFormats> && plan.sampling.estimator == Estimator::fibonacci_coverage &&
+           (plan.features & kFeatureGlossy) &&
+           !(plan.features & kNeedsGeneral);
+}
+
 template <class F>
 void derive_features(const Scene& scene, const Constants<F>& to, PlanOf<F>& plan) {
     plan.features |= features_of_solids(plan);
@@ -162,6 +172,12 @@ void derive_features(const Scene& scene, const Constants<F>& to, PlanOf<F>& plan
     }
     if (plan.light_count > 0 && plan.solid_count + plan.mirror_count > 1) plan.features |= kFeatureShadow;
     if (plan.antialias > 1) plan.features |= kFeatureAntialias;
+    if (has_coverage(plan)) plan.features |= kFeatureCoverage;
+}
+
+void derive_coverage(double exponent, MirrorPlan& mirror) {
+    mirror.profile = profile_of(exponent);
+    fill_chunk<float>(mirror.scouts, sampling_of(Estimator::fibonacci, 0), mirror.lobe, 0, kScouts);
 }
 
 /// What only the kernels for at most one bounce read.
@@ -170,6 +186,14 @@ void derive_one_bounce(const Scene& scene, const Viewpoint& eye, const Constants
         const SolidPlan& solid = plan.solids[k];
         plan.bounds.x[k] = solid.bound_centre.x, plan.bounds.y[k] = solid.bound_centre.y;
         plan.bounds.z[k] = solid.bound_centre.z, plan.bounds.radius[k] = solid.bound_radius;
+    }
+    if (plan.features & kFeatureCoverage) {
+        for (std::int32_t m = 0; m < plan.mirror_count; ++m) {
+            if (plan.mirrors[m].lobe.glossy) derive_coverage(scene.mirrors[m].lobe_exponent, plan.mirrors[m]);
+        }
+        for (std::int32_t k = 0; k < scene.solid_count; ++k) {
+            derive_outline(scene, scene.solids[k], to, plan.outlines[k]);
+        }
     }
     if (plan.mirror_count > 0) derive_tile_corners(plan);
     derive_image_bounds(scene, eye, plan);

@@ -36,6 +36,9 @@ Isa best_isa();
 /// Rays by kind, exact counts, the same for every ISA, thread count and tile order.
 struct RayCounts {
     std::uint64_t primary = 0, reflected = 0, lobe = 0, refracted = 0, shadow = 0;
+    // Of the estimator fibonacci+coverage, lobes instead of rays: those in which solids are covered, and those that may
+    // meet a solid which is left to plain rays (hidden in part by another, or without an outline). Some are both.
+    std::uint64_t covered = 0, sampled = 0;
 };
 
 /// Renders one tile of the plan's picture into `image` (whole picture, plan.width x plan.height); adds to `counts`.

@@ -66,6 +66,19 @@ TEST(Culling, ChangesNoByteOfAnUnpolishedMirrorUpTo1024Samples) {
     }
 }
 
+TEST(Culling, ChangesNoByteWhereSolidsAreCovered) {
+    for (const auto& [name, scene] : shipped_scenes()) {
+        for (const std::int32_t samples : {1, 16, kMostUnculled}) {
+            Settings settings = samples > 16 ? of_size(24, 18) : of_size(64, 48);
+            settings.estimator = Estimator::fibonacci_coverage;
+            settings.samples = samples;
+            const Image culled = render(scene, settings), exact = with_exact_plan(scene, settings);
+            EXPECT_EQ(culled.hash(), exact.hash())
+                << name << ", " << samples << " samples: " << pixels_apart(culled, exact) << " pixels differ";
+        }
+    }
+}
+
 void expect_less_than_the_tail_is_missing(const std::string& name, const Image& culled, const Image& exact,
                                           double contrast) {
     EXPECT_LE(largest_difference(culled, exact), kTailBound * contrast) << name;

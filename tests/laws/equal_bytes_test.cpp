@@ -11,12 +11,13 @@ namespace zerkalo {
 
 bool operator==(const RayCounts& a, const RayCounts& b) {
     return a.primary == b.primary && a.reflected == b.reflected && a.lobe == b.lobe && a.refracted == b.refracted &&
-           a.shadow == b.shadow;
+           a.shadow == b.shadow && a.covered == b.covered && a.sampled == b.sampled;
 }
 
 void PrintTo(const RayCounts& rays, std::ostream* out) {
     *out << rays.primary << " primary, " << rays.reflected << " reflected, " << rays.lobe << " lobe, " << rays.refracted
-         << " refracted, " << rays.shadow << " shadow rays";
+         << " refracted, " << rays.shadow << " shadow rays, " << rays.covered << " covered, " << rays.sampled
+         << " sampled lobes";
 }
 
 namespace laws {
@@ -59,6 +60,19 @@ TEST(EqualBytes, EveryInstructionSetRendersUnpolishedMirrorsAlike) {
             Settings settings = of_size(64, 48);
             settings.samples = samples;
             expect_equal_bytes(name, scene, settings);
+        }
+    }
+}
+
+TEST(EqualBytes, EveryInstructionSetCoversSolidsAlike) {
+    for (const auto& [name, scene] : shipped_scenes()) {
+        for (const std::int32_t samples : {1, 4, 100}) {
+            Settings settings = of_size(64, 48);
+            settings.estimator = Estimator::fibonacci_coverage;
+            settings.samples = samples;
+            expect_equal_bytes(name + " (coverage)", scene, settings);
+            settings.width = 33, settings.height = 17, settings.antialias = 3;
+            expect_equal_bytes(name + " (coverage)", scene, settings);
         }
     }
 }

@@ -101,6 +101,8 @@ RayCounts& operator+=(RayCounts& sum, const RayCounts& more) {
     sum.lobe += more.lobe;
     sum.refracted += more.refracted;
     sum.shadow += more.shadow;
+    sum.covered += more.covered;
+    sum.sampled += more.sampled;
     return sum;
 }
 

@@ -37,7 +37,12 @@ JsonObject rays_json(const RayCounts& rays) {
     JsonObject json;
     json.integer("primary", count(rays.primary)).integer("reflected", count(rays.reflected));
     json.integer("lobe", count(rays.lobe)).integer("refracted", count(rays.refracted));
-    return json.integer("shadow", count(rays.shadow));
+    json.integer("shadow", count(rays.shadow));
+    // Lobes, not rays: of the estimator fibonacci+coverage alone.
+    if (rays.covered + rays.sampled > 0) {
+        json.integer("covered_lobes", count(rays.covered)).integer("sampled_lobes", count(rays.sampled));
+    }
+    return json;
 }
 
 // Largest resident memory of this process so far, in bytes; 0 where the kernel does not tell. Not getrusage(): its

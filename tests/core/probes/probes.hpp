@@ -104,11 +104,23 @@ struct OpticsProbes {
                   const PointsOut& rgb);  // rays: o the surface point, d the unit way to the viewer
 };
 
+/// Coverage of lobes, places in the lobe's frame.
+struct CoverageProbes {
+    void (*polygon)(const LobeProfile& profile, const Points* corners, int corner_count, float* out, int count);
+    void (*ball)(const LobeProfile& profile, const float* across, const float* along, const float* radius, float* out,
+                 int count);
+    /// The same ball by the conic arcs that its outline consists of, each cut into panels.
+    void (*rim)(const LobeProfile& profile, const float* across, const float* along, const float* radius,
+                std::int32_t panels, float* out, int count);
+    void (*turn)(const float* y, const float* x, float* out, int count);
+};
+
 struct Probes {
     int width;
     LaneProbes lanes;
     ShapeProbes shapes;
     OpticsProbes optics;
+    CoverageProbes coverage;
 };
 
 /// Of one translation unit: width 1 and the unit's own width (for `scalar` both are 1).

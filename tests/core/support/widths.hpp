@@ -56,6 +56,7 @@ protected:
     static const probes::LaneProbes& lanes() { return GetParam().probes->lanes; }
     static const probes::ShapeProbes& shapes() { return GetParam().probes->shapes; }
     static const probes::OpticsProbes& optics() { return GetParam().probes->optics; }
+    static const probes::CoverageProbes& coverage() { return GetParam().probes->coverage; }
     static int width() { return GetParam().probes->width; }
     static const probes::Probes& scalar() { return probes::kProbes_scalar.wide; }
 };

@@ -1,0 +1,72 @@
+// The pixels of a tile that wait for their lobe rays, sorted by lattice class so that packets are full, and their sums.
+#pragma once
+
+#include "core/numeric/shuffle.hpp"
+#include "core/optics/lattice.hpp"
+#include "core/render/tile.hpp"
+
+namespace zerkalo::inline ZERKALO_ISA {
+
+constexpr int kClassPixels = kTilePixels / kLatticeClasses;  // each block of 2x2 pixels has one of each
+
+/// What the pixels of a tile see at the mirror: the point and the mirror direction, by pixel.
+struct GlossPoints {
+    alignas(64) float px[kTilePixels], py[kTilePixels], pz[kTilePixels];
+    alignas(64) float mx[kTilePixels], my[kTilePixels], mz[kTilePixels];
+};
+
+/// Pixels of one lattice class that wait for their lobe rays, and the sums of these.
+struct GlossQueue {
+    alignas(64) float r[kClassPixels], g[kClassPixels], b[kClassPixels];
+    alignas(64) float weight[kClassPixels];
+    std::uint8_t pixel[kClassPixels];
+    std::int32_t count;
+};
+
+/// The pixels of a tile that wait, and the queues that they are sorted into.
+struct GlossQueues {
+    GlossPoints points;
+    GlossQueue of_class[kLatticeClasses];
+    std::uint64_t waiting;  // bit p: pixel p
+    std::uint32_t tile;     // its hash
+};
+
+/// The same sums apart for every kSpreadParts-th lobe ray: how far these parts lie from one another tells the error.
+template <bool Spread>
+struct GlossParts {};
+template <>
+struct GlossParts<true> {
+    using OfClasses = float[kLatticeClasses][kSpreadParts][kClassPixels];
+    alignas(64) OfClasses r, g, b, weight;
+};
+
+template <class R>
+ZERKALO_INLINE void add_to(float* sums, R x) {
+    store(sums, load<R>(sums) + x);
+}
+
+/// Notes the packet's points and lets the lanes of the mask wait.
+template <class R>
+ZERKALO_INLINE void enqueue(GlossQueues& queues, Mask<R> mask, Vec3<R> p, Vec3<R> m, int first) {
+    GlossPoints& points = queues.points;
+    store(points.px + first, p.x), store(points.py + first, p.y), store(points.pz + first, p.z);
+    store(points.mx + first, m.x), store(points.my + first, m.y), store(points.mz + first, m.z);
+    queues.waiting |= std::uint64_t{bits_of(mask)} << first;
+}
+
+/// Fills a queue with the pixels of its class, its last packet with copies of the last one, and clears the sums.
+template <class R>
+ZERKALO_INLINE void fill_queue(GlossQueue& queue, std::uint64_t pixels, bool weighted) {
+    std::int32_t count = 0;
+    for (; pixels != 0; pixels &= pixels - 1) queue.pixel[count++] = static_cast<std::uint8_t>(first_of(pixels));
+    queue.count = count;
+    if (count == 0) return;
+    std::int32_t padded = count;
+    for (; padded % kWidth<R> != 0; ++padded) queue.pixel[padded] = queue.pixel[count - 1];
+    for (std::int32_t at = 0; at < padded; at += kWidth<R>) {
+        store(queue.r + at, R(0)), store(queue.g + at, R(0)), store(queue.b + at, R(0));
+        if (weighted) store(queue.weight + at, R(0));
+    }
+}
+
+}  // namespace zerkalo::inline ZERKALO_ISA
