@@ -30,7 +30,7 @@ ZERKALO_INLINE void trace_one(const PlanFor<R>& plan, const TileView& view, cons
     if (none(hits)) return;
     const PathPacket<R> fresh = no_continuation(plan, ray);
     const Vec3<Direction<R>> zero = {Direction<R>(0), Direction<R>(0), Direction<R>(0)};
-    Continuations<R> next{fresh, fresh, fresh, {zero, {zero, zero}, Share<R>(0), mask_of<R>(false)}};
+    Continuations<R> next{fresh, fresh, fresh, {zero, Share<R>(0), mask_of<R>(false)}};
     next.job.is_job = true;
     next.job.sample = 0;
     next.job.candidates = 0;
@@ -40,34 +40,56 @@ ZERKALO_INLINE void trace_one(const PlanFor<R>& plan, const TileView& view, cons
     if (any(next.one.active)) stack.push(next.one);
     if (any(next.job.active)) {
         stack.push(next.job);
-        stack.lobe = next.lobe;
-        stack.lobe.base = tangents_of(next.job.d);
+        aim_job<R>(plan, next.lobe, stack.lobe, next.job.o, next.job.d, next.job.candidates);
     }
 }
 
+/// The background, for the rays of the job that are known to miss everything: as many as the sum has not seen yet.
+template <class R>
+ZERKALO_INLINE void add_missed(const PlanFor<R>& plan, const PathPacket<R>& job, std::int32_t missed,
+                               Rgb<LightSum<R>>& sum) {
+    if (missed == 0) return;
+    const Rgb<Weight<R>> all{times(job.throughput.r, missed), times(job.throughput.g, missed),
+                             times(job.throughput.b, missed)};
+    add<R>(sum, job.active, all, spread<Radiance<R>>(plan.background));
+}
+
 /// Takes the next packet of rays off the stack: a waiting one, or the next lattice ray of the job on top.
-/// Returns false where all rays of the job's step point below the horizon.
+/// Returns false where all rays of the job's step are done with.
 template <class R>
 ZERKALO_INLINE bool next_packet(const PlanFor<R>& plan, PathStack<R>& stack, const PathKey<R>& key, PathPacket<R>& ray,
                                 Rgb<LightSum<R>>& sum, TileCounts& counts) {
     PathPacket<R>& top = stack.packets[stack.count - 1];
-    ray = top;
     if (!top.is_job) {
+        ray = top;
         --stack.count;
         return true;
     }
     const std::int32_t s = top.sample++;
-    if (top.sample == plan.samples) --stack.count;
-    const LobeJob<R>& job = stack.lobe;
-    const LobePoint<R> point = point_of_job<R>(plan, stack.rows, job, key, s, ray.active);
-    const LobeRay<R> lobe = lobe_ray<R>(point, ray.d, job.base, job.n, job.max_phong);
-    PathPacket<R> next = ray;
-    next.active = mask_of<R>(false);
-    next.is_job = false;
-    next.after_lobe = true;
-    next.sample = s;
-    go_on_in_lobe<R>(plan, lobe, job.max_phong, ray.active, ray.o, ray.throughput, ray.from.id, next, sum, counts);
-    ray = next;
+    const bool last = top.sample == plan.samples;
+    if (last) --stack.count;
+    LobeJob<R>& job = stack.lobe;
+    const LobePoint<R> point = point_of_job<R>(plan, stack.rows, job, key, s, top.active);
+    CandidateMask candidates = top.candidates;
+    if constexpr (Formats<R>::kFixed) {
+        if (job.target_count > 0) {
+            candidates = solids_met<R>(job, point, top.active);
+            job.missed += candidates == 0;
+            if (last) add_missed<R>(plan, top, job.missed, sum);
+            if (candidates == 0) {
+                counts.lobe += count_of(top.active);
+                return false;
+            }
+        }
+    }
+    ray = top;
+    ray.active = mask_of<R>(false);
+    ray.candidates = candidates;
+    ray.is_job = false;
+    ray.after_lobe = true;
+    ray.sample = s;
+    const LobeRay<R> lobe = lobe_ray<R>(point, top.d, job.base, job.n, job.max_phong);
+    go_on_in_lobe<R>(plan, lobe, job.max_phong, top.active, top.o, top.throughput, top.from.id, ray, sum, counts);
     return any(ray.active);
 }
 

@@ -14,13 +14,30 @@ namespace zerkalo::inline ZERKALO_ISA {
 template <class R>
 using LobeFor = LobeDataOf<Formats<R>>;
 
-/// What the lobe rays of a packet share: the mirror's normal, and the lobe about the mirror direction.
+/// A solid's bounding ball as a packet's lobes see it: its centre, and |centre|^2 - radius^2.
 template <class R>
-struct LobeJob {
+struct LobeTarget {
+    Vec3<Length<R>> centre;  // side, up, forward
+    Area<R> beyond;
+    std::int32_t solid;
+};
+constexpr int kMostTargets = 6;
+
+/// The mirror's normal and lobe, of each lane.
+template <class R>
+struct LobeStart {
     Vec3<Direction<R>> n;
-    Tangents<Direction<R>> base;  // across the mirror direction
     Share<R> inverse_exponent;
     Mask<R> max_phong;
+};
+
+/// What the lobe rays of a packet share.
+template <class R>
+struct LobeJob : LobeStart<R> {
+    Tangents<Direction<R>> base;  // across the mirror direction
+    LobeTarget<R> targets[kMostTargets];
+    std::int32_t target_count;  // of all that the rays can meet; 0 where this is not known
+    std::int32_t missed;        // rays that passed all of them
 };
 
 /// One lobe ray: direction in the lobe's frame turned into the world; what it weighs; what goes below the horizon.
@@ -37,7 +54,10 @@ ZERKALO_INLINE LobeRay<R> lobe_ray(const LobePoint<R>& point, Vec3<Direction<R>>
                                    const Tangents<Direction<R>>& base, Vec3<Direction<R>> n, Mask<R> max_phong) {
     using D = Direction<R>;
     using W = Weight<R>;
-    const Vec3<D> d = as<D>(m * point.forward + base.t * point.side + base.b * point.up);
+    const Vec3<D> in_frame{point.forward, point.side, point.up};
+    const Vec3<D> d{as<D>(dot(Vec3<D>{m.x, base.t.x, base.b.x}, in_frame)),
+                    as<D>(dot(Vec3<D>{m.y, base.t.y, base.b.y}, in_frame)),
+                    as<D>(dot(Vec3<D>{m.z, base.t.z, base.b.z}, in_frame))};
     const W cosine = as<W>(dot(d, n));
     W weight = W(1);
     if (any(max_phong)) weight = select(max_phong, lobe_weight_of(cosine, as<W>(dot(m, n))), W(1));
@@ -176,6 +196,42 @@ ZERKALO_INLINE Mask<R> lanes_with_rays(const PlanFor<R>& plan, const LobeFor<R>&
         }
         return reached;
     }
+}
+
+/// A job whose rays start at p about m: the frame, and the solids that the rays can meet.
+template <class R>
+ZERKALO_INLINE void aim_job(const PlanFor<R>& plan, const LobeStart<R>& start, LobeJob<R>& job, Vec3<Length<R>> p,
+                            Vec3<Direction<R>> m, CandidateMask candidates) {
+    job.n = start.n, job.inverse_exponent = start.inverse_exponent, job.max_phong = start.max_phong;
+    job.base = tangents_of(m);
+    job.target_count = job.missed = 0;
+    if constexpr (Formats<R>::kFixed) {
+        using L = Length<R>;
+        if (plan.exact_plan || mirrors_in(candidates) != 0 || any(job.max_phong)) return;
+        if (__builtin_popcountll(candidates) > kMostTargets) return;
+        for (CandidateMask left = candidates; left != 0; left &= left - 1) {
+            LobeTarget<R>& target = job.targets[job.target_count++];
+            target.solid = first_of(left);
+            const SolidPlanFor<R>& solid = plan.solids[target.solid];
+            const Vec3<L> f = solid.bound_centre - p;
+            target.centre = {as<L>(dot(f, job.base.t)), as<L>(dot(f, job.base.b)), as<L>(dot(f, m))};
+            target.beyond = dot(f, f) - (solid.bound_radius * solid.bound_radius + kSquareRoom<R>);
+        }
+    }
+}
+
+/// The solids that a ray of the job may meet from some active lane. Conservative.
+template <class R>
+ZERKALO_INLINE CandidateMask solids_met(const LobeJob<R>& job, const LobePoint<R>& point, Mask<R> active) {
+    const Vec3<Direction<R>> d{point.side, point.up, point.forward};
+    CandidateMask met = 0;
+    for (std::int32_t i = 0; i < job.target_count; ++i) {
+        const LobeTarget<R>& target = job.targets[i];
+        const auto along = as<Length<R>>(dot(target.centre, d));
+        const auto ahead = (along > Length<R>(0)) | (target.beyond <= Area<R>(0));
+        if (any(active & ahead & (along * along >= target.beyond))) met |= CandidateMask{1} << target.solid;
+    }
+    return met;
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

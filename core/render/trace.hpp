@@ -47,7 +47,7 @@ struct PathStack {
 template <class R>
 struct Continuations {
     PathPacket<R> one, two, job;
-    LobeJob<R> lobe;
+    LobeStart<R> lobe;
 };
 
 template <class R>
