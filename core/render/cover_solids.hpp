@@ -4,6 +4,7 @@
 
 #include "core/optics/coverage.hpp"
 #include "core/render/cover_tile.hpp"
+#include "core/render/gloss_queue.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
 
@@ -251,6 +252,29 @@ ZERKALO_ONCE Rgb<R> covered_light(const TileCover& cover, const Plan& plan, cons
         sum = sum + select(here, light, spread<R>(Rgb<float>{0, 0, 0}));
     }
     return sum;
+}
+
+/// The covered part of the light of all pixels that wait for their lobe rays, neighbours side by side.
+template <class R>
+ZERKALO_ONCE void cover_waiting(TileCover& cover, const GlossQueues& queues, const Plan& plan,
+                                const MirrorPlan& mirror, TileCounts& counts) {
+    constexpr std::uint64_t kPacket = (std::uint64_t{1} << kWidth<R>)-1;
+    const GlossPoints& points = queues.points;
+    for (int first = 0; first < kTilePixels; first += kWidth<R>) {
+        const std::uint64_t waiting = queues.waiting >> first & kPacket;
+        if (waiting == 0) continue;
+        const Vec3<R> p{load<R>(points.px + first), load<R>(points.py + first), load<R>(points.pz + first)};
+        const Vec3<R> m{load<R>(points.mx + first), load<R>(points.my + first), load<R>(points.mz + first)};
+        const Tangents<R> across = tangents_of(m);
+        auto covered = Mask<R>(false), sampled = Mask<R>(false);
+        put(cover.light, first, covered_light(cover, plan, mirror, p, LobeFrame<R>{m, across.t, across.b}, covered),
+            false);
+        for (CandidateMask left = cover.plain; left != 0; left &= left - 1) {
+            sampled = sampled | lobe_may_meet(plan.solids[first_of(left)], mirror.lobe, p, m);
+        }
+        for (std::uint64_t left = bits_of(covered) & waiting; left != 0; left &= left - 1) ++counts.covered;
+        for (std::uint64_t left = bits_of(sampled) & waiting; left != 0; left &= left - 1) ++counts.sampled;
+    }
 }
 
 /// Adds what the outline of solid k counts for a hit of the given faces.

@@ -22,6 +22,7 @@ struct TileCover {
     static constexpr bool kCovers = true;
     CoveredSolid solids[kMaxCovered];
     std::int32_t count;
+    TileColours light;    // by pixel: the sum over f of (c_f - b) coverage_f
     CandidateMask plain;  // solids that some lobe may meet and that are left to the lobe rays alone
 };
 

@@ -185,22 +185,14 @@ ZERKALO_ONCE void fill_class_chunks(LatticeChunk* chunks, const Plan& plan, cons
     }
 }
 
-/// Starts the sums of a group's pixels with the covered part of their light, once for each of the rays to come.
+/// Starts a queue's sums with the covered part of its pixels' light, once for each of the rays to come.
 template <class R>
-ZERKALO_INLINE void start_sums(GlossQueue& queue, std::int32_t first, const GroupFrames<R>& frames, const Plan& plan,
-                               const MirrorPlan& mirror, const TileCover& cover, TileCounts& counts) {
-    const R samples = R(float(plan.samples));
-    for (std::int32_t i = 0; i < frames.packets; ++i) {
-        const std::int32_t at = first + i * kWidth<R>;
-        const auto active = load<R>(kLaneNumbers.real) < R(float(queue.count - at));
-        Mask<R> covered, sampled = Mask<R>(false);
-        const Rgb<R> light = scaled(covered_light(cover, plan, mirror, frames.p[i], frames.frame[i], covered), samples);
-        store(queue.r + at, light.r), store(queue.g + at, light.g), store(queue.b + at, light.b);
-        for (CandidateMask left = cover.plain; left != 0; left &= left - 1) {
-            sampled = sampled | lobe_may_meet(plan.solids[first_of(left)], mirror.lobe, frames.p[i], frames.frame[i].m);
-        }
-        counts.covered += count_of(active & covered);
-        counts.sampled += count_of(active & sampled);
+ZERKALO_INLINE void start_sums(GlossQueue& queue, const TileCover& cover, std::int32_t samples) {
+    for (std::int32_t at = 0; at < queue.count; at += kWidth<R>) {
+        const std::uint8_t* pixels = queue.pixel + at;
+        store(queue.r + at, gather<R>(cover.light.r, pixels) * R(float(samples)));
+        store(queue.g + at, gather<R>(cover.light.g, pixels) * R(float(samples)));
+        store(queue.b + at, gather<R>(cover.light.b, pixels) * R(float(samples)));
     }
 }
 
@@ -212,6 +204,7 @@ ZERKALO_ONCE void flush(GlossQueues& queues, const LatticeClasses& classes, cons
                         TileColours& colours, TileSpread* spread_of_tile, TileCounts& counts) {
     for (int c = 0; c < kLatticeClasses; ++c) {
         fill_queue<R>(queues.of_class[c], queues.waiting & pixels_of_class(classes, c), mirror.lobe.max_phong);
+        if constexpr (Cover::kCovers) start_sums<R>(queues.of_class[c], cover, plan.samples);
     }
     queues.waiting = 0;
     GlossParts<Spread> parts{};
@@ -229,9 +222,6 @@ ZERKALO_ONCE void flush(GlossQueues& queues, const LatticeClasses& classes, cons
             const LatticeChunk& chunk = chunks[c & int{keyed}];
             for (std::int32_t at = 0; at < queue.count; at += kGroupPackets<R> * kWidth<R>) {
                 frame_group(frames, queue, at, queues.points, phase);
-                if constexpr (Cover::kCovers) {
-                    if (first == 0) start_sums(queue, at, frames, plan, mirror, cover, counts);
-                }
                 aim_group(aim, plan, mirror.lobe, candidates, chunk, frames);
                 for (std::int32_t i = 0; i < frames.packets; ++i) {
                     shoot_chunk<R, Spread>(plan, mirror, cover, aim, frames, chunk, queue, at + i * kWidth<R>, i, parts,

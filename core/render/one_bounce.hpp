@@ -124,6 +124,7 @@ inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const Lin
             if constexpr (Covered) {
                 if (!cover_is_known) cover_tile<R>(cover, plan, tile, tile_counts);
                 cover_is_known = true;
+                cover_waiting<R>(cover, queues, plan, plan.mirrors[0], tile_counts);
             }
             flush<R, Spread>(queues, classes, plan, plan.mirrors[0], view.in_lobe, cover, static_cast<std::uint32_t>(a),
                              colours, spread_of_tile, tile_counts);
