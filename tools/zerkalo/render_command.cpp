@@ -150,8 +150,8 @@ Refined refine(const RenderOptions& options, const Frame& frame) {
 void require_reached(const RenderOptions& options, const Refined& refined) {
     if (refined.reached) return;
     throw Failure(ExitCode::pictures_differ,
-                  format("--error %g: not reached: the estimate is %.3g after at most %lld lobe rays a hit; the picture "
-                         "is kept",
+                  format("--error %g: not reached: the estimate is %.3g after at most %lld lobe rays a hit; "
+                         "the picture is kept",
                          *options.error, refined.estimated, static_cast<long long>(refined.most_samples)));
 }
 
