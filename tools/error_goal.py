@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What `render --error E` costs beside the smallest fixed --samples that reaches E, scene by scene, as a Markdown table.
+"""What `render --error E` costs beside the smallest fixed --samples that reaches E, scene by scene, as Markdown.
 
 Usage: tools/error_goal.py [--program FILE] [--error E] [--size WxH] [--repeat N] [SCENE...]
 
@@ -37,7 +37,8 @@ class Scene:
         self.picture = str(pathlib.Path(folder) / "picture.pfm")
 
     def render(self, *arguments):
-        done = subprocess.run([*self.command, "-o", self.picture, *map(str, arguments)], capture_output=True, check=True)
+        command = [*self.command, "-o", self.picture, *map(str, arguments)]
+        done = subprocess.run(command, capture_output=True, check=True)
         return json.loads(done.stdout)
 
     def set_reference(self):

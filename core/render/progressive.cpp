@@ -18,15 +18,19 @@ double weight_of(const PlanHead& plan, double samples) {
 /// Variance of an average over its expectation from independent parts, by log2 of the samples from 4 on, linear
 /// between: measured over the shipped scenes. The parts of a lattice lie so that together they are the better lattice.
 constexpr double kLattice[] = {0.43, 0.44, 0.29, 0.17, 0.155, 0.20, 0.28, 0.31, 0.36, 0.33, 0.30};
+constexpr double kR2[] = {0.50, 0.42, 0.42, 0.25, 0.13, 0.17, 0.23, 0.23, 0.23, 0.23, 0.23};
+constexpr int kOctaves = sizeof kLattice / sizeof *kLattice;
+static_assert(sizeof kR2 == sizeof kLattice);
 
 double share_of_parts(const PlanHead& plan) {
     if (plan.sampling.estimator == Estimator::random) return 1;
-    constexpr int kLast = int(sizeof kLattice / sizeof *kLattice) - 1;
+    const double* table = plan.sampling.estimator == Estimator::r2 ? kR2 : kLattice;
     std::int32_t octave = 0, start = kFirstSamples;
-    for (; start * 2 <= plan.samples && octave < kLast; start *= 2) ++octave;
-    if (octave == kLast) return kLattice[kLast];
-    const double along = double(plan.samples - start) / start;
-    return kLattice[octave] + (kLattice[octave + 1] - kLattice[octave]) * along;
+    for (; start * 2 <= plan.samples && octave < kOctaves - 1; start *= 2) ++octave;
+    double share = table[octave];
+    if (octave < kOctaves - 1) share += (table[octave + 1] - share) * (double(plan.samples - start) / start);
+    // Rays between unpolished mirrors go on at random, one for each: a third of the variance is theirs.
+    return plan.mirror_count > 1 ? (1 + 2 * share) / 3 : share;
 }
 
 /// A tile's pixels before a pass, packed.
@@ -186,6 +190,10 @@ bool give_passes(const PlanHead& plan, const Accumulator& accumulator, const Eno
 double values_of(const PlanHead& plan) { return 3.0 * plan.width * plan.height; }
 
 }  // namespace
+
+bool can_tell_error(Estimator estimator) {
+    return estimator != Estimator::jittered && estimator != Estimator::sobol;
+}
 
 std::int32_t samples_of_step(int step) {
     // 4, 8, 12, 16, 24, 32, 48, ...: from 8 on every step but the last of an octave is half of the octave.

@@ -23,6 +23,10 @@ constexpr std::int32_t kFirstSamples = kSpreadParts;   // of the survey, the flo
 constexpr std::int32_t kMostSamples = 1 << 14;         // of one pass: what this does not reach is given up
 constexpr int kLadderSteps = 24;                       // and so many sizes a pass can have
 
+/// Whether the error of a rule is known from its parts. Not where every fourth point is far from an even set: `jittered`
+/// and `sobol`.
+bool can_tell_error(Estimator estimator);
+
 /// Samples of the passes after the survey: 4, 8, 12, 16, 24, 32, 48, ... kMostSamples.
 std::int32_t samples_of_step(int step);
 

@@ -115,6 +115,7 @@ class Refine(CommandLineTest):
         self.assertIn("--samples", self.refused("--error", "0.1", "--samples", "16"))
         self.assertIn("--samples", self.refused("--time", "5", "--samples", "16"))
         self.assertIn("--number float", self.refused("--error", "0.1", "--number", "fixed"))
+        self.assertIn("--estimator sobol", self.refused("--error", "0.1", "--estimator", "sobol"))
         self.assertIn("--repeat", self.refused("--time", "5", "--repeat", "3"))
 
 

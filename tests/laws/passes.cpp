@@ -55,9 +55,9 @@ double Passes::refine(double error) {
 }
 
 Image converged(const Scene& scene, const Settings& settings) {
-    constexpr int kPlacements = 6;
+    constexpr int kPlacements = 4;
     Settings many = settings;
-    many.samples = 1021;
+    many.samples = 509;
     std::vector<double> sum;
     Image image;
     for (int k = 1; k <= kPlacements; ++k) {

@@ -45,6 +45,7 @@ public:
     /// The passes that the tiles have been given; what is out of time is left out.
     void round() {
         ++rounds_;
+        const auto rotation = static_cast<std::int32_t>((first_rotation_ + rounds_) & kMaxRotation);
         std::vector<int> of_step[kLadderSteps];
         for (int step = 0; step < kLadderSteps; ++step) {
             for (std::size_t i = 0; i < tiles_.size(); ++i) {
@@ -52,8 +53,7 @@ public:
             }
         }
         for (int step = 0; step < kLadderSteps; ++step) {
-            const Pass pass{samples_of_step(step), static_cast<std::int32_t>((first_rotation_ + rounds_) & kMaxRotation)};
-            if (!of_step[step].empty()) run(pass, of_step[step], true);
+            if (!of_step[step].empty()) run({samples_of_step(step), rotation}, of_step[step], true);
         }
     }
 

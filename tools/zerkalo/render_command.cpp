@@ -122,6 +122,10 @@ void check_refinement(const RenderOptions& options, bool samples_given) {
     if (options.number != Number::floating) {
         refuse(option + " needs --number float: only its kernels tell how sure they are");
     }
+    if (!can_tell_error(options.settings.estimator)) {
+        refuse(option + " cannot tell the error of --estimator " + name_of(options.settings.estimator) +
+               "; fibonacci, fibonacci+coverage, r2 and random can");
+    }
     if (options.time_ms && options.repeat > 1) refuse("--time takes the time it is given; leave --repeat out");
 }
 
@@ -146,8 +150,8 @@ Refined refine(const RenderOptions& options, const Frame& frame) {
 void require_reached(const RenderOptions& options, const Refined& refined) {
     if (refined.reached) return;
     throw Failure(ExitCode::pictures_differ,
-                  format("--error %g: not reached: the estimate is %.3g after at most %lld lobe rays a hit; the picture "
-                         "is kept",
+                  format("--error %g: not reached: the estimate is %.3g after at most %lld lobe rays a hit; "
+                         "the picture is kept",
                          *options.error, refined.estimated, static_cast<long long>(refined.most_samples)));
 }
 

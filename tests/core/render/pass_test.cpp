@@ -40,16 +40,17 @@ std::vector<float> picture_of(const P& plan, RayCounts& counts) {
 }
 
 template <class P>
-void expect_as_prepared(const Scene& scene, const Pass& first, const Pass& then) {
+void expect_as_prepared(const Scene& scene, const Pass& first, const Pass& then,
+                        Estimator estimator = Estimator::fibonacci) {
     const auto prepared = std::make_unique<P>(), given = std::make_unique<P>();
-    Settings settings{.samples = then.samples, .rotation = then.rotation};
+    Settings settings{.samples = then.samples, .rotation = then.rotation, .estimator = estimator};
     ASSERT_TRUE(prepare(scene, settings, *prepared).ok());
     settings.samples = first.samples, settings.rotation = first.rotation;
     ASSERT_TRUE(prepare(scene, settings, *given).ok());
     ASSERT_TRUE(begin_pass(*given, then).ok());
     RayCounts one, other;
     EXPECT_EQ(picture_of(*given, one), picture_of(*prepared, other))
-        << first.samples << " samples, then " << then.samples << " of rotation " << then.rotation;
+        << name_of(estimator) << ": " << first.samples << " samples, then " << then.samples << " of rotation " << then.rotation;
     EXPECT_EQ(one.lobe, other.lobe);
     EXPECT_EQ(given->samples, then.samples);
 }
@@ -61,6 +62,9 @@ TEST(Pass, TheSamePictureAsFromAPlanPreparedForIt) {
         for (std::size_t i = 1; i < std::size(kPasses); ++i) {
             expect_as_prepared<Plan>(scene, kPasses[i - 1], kPasses[i]);
             expect_as_prepared<Plan>(scene, kPasses[i], kPasses[i - 1]);
+        }
+        for (int k = 0; k < kEstimatorCount; ++k) {
+            expect_as_prepared<Plan>(scene, {100, 7}, {16, 3}, static_cast<Estimator>(k));
         }
     }
     expect_as_prepared<FixedPlan>(scene, {16, 0}, {4, 5});
