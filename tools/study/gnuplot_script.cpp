@@ -22,7 +22,7 @@ struct Curve {
 struct Chart {
     std::string file, title, x_label, y_label;
     std::vector<Curve> curves;
-    double zone = 0;         // errors below it cannot be told
+    double zone = 0;         // errors across below it cannot be told
     bool error_is_x = true;  // else it is y, and x the number of samples
 };
 
@@ -95,7 +95,12 @@ Chart split_chart(const std::vector<Series>& all, const std::string& estimator) 
         add(series, "8 bits" + of, "#4daf4a", [](const RegionErrors& e) { return e.quantised8; });
         add(series, "10 bits" + of, "#984ea3", [](const RegionErrors& e) { return e.quantised10; });
         add(series, "16 bits" + of, "#ff7f00", [](const RegionErrors& e) { return e.quantised16; });
-        for (const Row* row : series.rows) chart.zone = std::max(chart.zone, row->of(Region::mirror).zone);
+        // Only total and quadrature are measured against the references: a line, not an area that hides the others.
+        Curve apart{"references apart" + of, "with lines lc rgb '#888888' dt 3 lw 2", {}};
+        for (const Row* row : series.rows) {
+            add_point(apart, static_cast<double>(row->samples), row->of(Region::mirror).zone);
+        }
+        if (series.number == "float") chart.curves.push_back(std::move(apart));
     }
     chart.x_label = "lobe samples";
     chart.y_label = "error: RMSE of the mirror region, linear light";
@@ -136,10 +141,11 @@ std::string commands_of(const Chart& chart, int first_block) {
     text += "set xlabel " + gnuplot_quoted(chart.x_label) + "\nset ylabel " + gnuplot_quoted(chart.y_label) + "\n";
     if (!chart.error_is_x) text += "set format x '%g'\n";
     if (chart.zone > 0) {
-        (chart.error_is_x ? x : y).take(chart.zone);
-        const char* corner = chart.error_is_x ? "first %g, graph 1" : "graph 1, first %g";
-        text += "set object 1 rectangle from graph 0, graph 0 to " + format(corner, chart.zone) +
-                " fc rgb '#dddddd' fs solid noborder behind\n";
+        x.take(chart.zone);
+        text += format(
+            "set object 1 rectangle from graph 0, graph 0 to first %g, graph 1 fc rgb '#dddddd' fs solid "
+            "noborder behind\n",
+            chart.zone);
     }
     if (chart.error_is_x) text += triangles(x, y);
     text += format("set xrange [%g:%g]\nset yrange [%g:%g]\n", x.low / 2, x.high * 2, y.low / 2, y.high * 2);
@@ -168,6 +174,7 @@ std::string split_estimator(const std::vector<const Row*>& rows) {
 }
 
 std::string gnuplot_script(const std::string& name, const std::vector<const Row*>& rows) {
+    if (rows.empty()) return "";
     const std::vector<Series> all = series_of(rows);
     Chart time = cost_chart(all, rows, [](const Row& row) { return 1e3 * row.seconds.value; });
     time.curves.push_back(pareto_curve(rows));
