@@ -67,6 +67,8 @@ TEST(DoublePictures, OfEveryRuleHaveTheSamplesOfFloat) {
     for (const auto& [name, scene] : shipped_scenes()) {
         if (name != "gold-mirror-5" && name != "two-mirrors") continue;
         for (int rule = 0; rule < kEstimatorCount; ++rule) {
+            // What float covers, double samples.
+            if (static_cast<Estimator>(rule) == Estimator::fibonacci_coverage) continue;
             Settings settings = of_size(160, 120);
             settings.estimator = static_cast<Estimator>(rule);
             settings.rotation = 3;
