@@ -8,8 +8,7 @@
 // of max-Phong: Neumann, Neumann, Szirmay-Kalos, "Compact Metallic Reflectance Models", CGF 18(3), 1999.
 #pragma once
 
-#include "core/render/cover_solids.hpp"
-#include "core/render/gloss_queue.hpp"
+#include "core/render/cover_grid.hpp"
 #include "core/render/spread.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
