@@ -23,6 +23,9 @@ constexpr float kNodes[kNodePairs] = {0.1834346424956498f, 0.5255324099163290f, 
                                       0.9602898564975363f};
 constexpr float kNodeWeights[kNodePairs] = {0.3626837833783620f, 0.3137066458778873f, 0.2223810344533745f,
                                             0.1012285362903763f};
+// Of four nodes, for pieces of an outline that are short against the lobe.
+constexpr float kFewNodes[2] = {0.3399810435848563f, 0.8611363115940526f};
+constexpr float kFewNodeWeights[2] = {0.6521451548625461f, 0.3478548451374538f};
 constexpr float kInverseTurn = 0.15915494309189535f;  // 1 / (2 pi)
 
 /// D(v) for 0 <= v <= profile.edge.
@@ -119,9 +122,9 @@ ZERKALO_INLINE Vec3<R> place_on(const ConicArc<R>& arc, R t) {
     return arc.a * (u * u) + arc.c * (R(2) * t * u) + arc.b * (t * t);
 }
 
-/// 1/(2 pi) integral of (1 - cos^(n+1)) dphi along the arc between parameters t0 < t1.
+/// 1/(2 pi) integral of (1 - cos^(n+1)) dphi along the arc between parameters t0 < t1, by four nodes or by eight.
 template <class R>
-ZERKALO_INLINE R arc_integral(const LobeProfile& profile, const ConicArc<R>& arc, R t0, R t1) {
+ZERKALO_INLINE R arc_integral(const LobeProfile& profile, const ConicArc<R>& arc, R t0, R t1, bool few_nodes) {
     const R middle = (t0 + t1) * R(0.5f), half = (t1 - t0) * R(0.5f);
     const auto winding = [&](R t) ZERKALO_INLINE_LAMBDA {
         const Vec3<R> q = place_on(arc, t);
@@ -135,10 +138,12 @@ ZERKALO_INLINE R arc_integral(const LobeProfile& profile, const ConicArc<R>& arc
         const R density = select(inside, winding_density(profile, across2 * inverse), R(1));
         return (q.x * d_y - q.y * d_x) * (density * inverse);
     };
+    const float* nodes = few_nodes ? kFewNodes : kNodes;
+    const float* weights = few_nodes ? kFewNodeWeights : kNodeWeights;
     R sum = R(0);
-    for (int k = 0; k < kNodePairs; ++k) {
-        const R step = half * R(kNodes[k]);
-        sum = sum + (winding(middle - step) + winding(middle + step)) * R(kNodeWeights[k]);
+    for (int k = 0; k < (few_nodes ? 2 : kNodePairs); ++k) {
+        const R step = half * R(nodes[k]);
+        sum = sum + (winding(middle - step) + winding(middle + step)) * R(weights[k]);
     }
     // q' is twice (d_x, d_y).
     return half * sum * R(2 * kInverseTurn);

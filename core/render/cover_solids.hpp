@@ -4,7 +4,6 @@
 
 #include "core/optics/coverage.hpp"
 #include "core/render/cover_tile.hpp"
-#include "core/render/gloss_queue.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
 
@@ -99,7 +98,7 @@ ZERKALO_INLINE Mask<R> may_cross(const LobeProfile& profile, Vec3<R> a, Vec3<R> 
 /// From -B to B around a rim, cos B given: four conic arcs, each cut into panels.
 template <class R>
 ZERKALO_ONCE OutlineWay<R> along_rim(const LobeProfile& profile, const Rim<R>& rim, const R& cosine,
-                                     const Mask<R>& exists, std::int32_t panels) {
+                                     const Mask<R>& exists, std::int32_t panels, bool few_nodes) {
     OutlineWay<R> way{R(0), Mask<R>(true), Mask<R>(true)};
     // Cosines and sines of B, B/2, B/4.
     const R sine = sqrt(max((R(1) - cosine) * (R(1) + cosine), R(0)));
@@ -131,7 +130,7 @@ ZERKALO_ONCE OutlineWay<R> along_rim(const LobeProfile& profile, const Rim<R>& r
             const auto crosses = exists & may_cross(profile, from, between, to);
             if (any(crosses)) {
                 const R chord = turn_of(turning(from, to), from.x * to.x + from.y * to.y);
-                way.share = way.share + select(crosses, chord - arc_integral(profile, conic, t0, t1), R(0));
+                way.share = way.share + select(crosses, chord - arc_integral(profile, conic, t0, t1, few_nodes), R(0));
             }
             from = to;
         }
@@ -186,7 +185,7 @@ struct TubeEnd {
 
 template <class R>
 ZERKALO_INLINE TubeEnd<R> end_of_tube(const LobeProfile& profile, const TubeView<R>& view, const TubeData& tube,
-                                      bool top, std::int32_t panels) {
+                                      bool top, const CoveredSolid& cover) {
     TubeEnd<R> end;
     const float height = top ? tube.half_height : -tube.half_height;
     const float widest = tube.mid_radius + max(tube.slope, -tube.slope) * tube.half_height;
@@ -196,13 +195,15 @@ ZERKALO_INLINE TubeEnd<R> end_of_tube(const LobeProfile& profile, const TubeView
     const Rim<R> rim{view.middle + view.up * R(height), view.towards * R(radius), view.aside * R(radius)};
     end.first = rim.centre + rim.towards * view.cosine - rim.aside * view.sine;
     end.last = rim.centre + rim.towards * view.cosine + rim.aside * view.sine;
-    const OutlineWay<R> front = along_rim(profile, rim, view.cosine, view.has_front & round, panels);
+    const OutlineWay<R> front = along_rim(profile, rim, view.cosine, view.has_front & round, cover.panels,
+                                            cover.few_nodes);
     const auto cap_seen = (top ? view.height > R(height) : view.height < R(height)) & round;
     end.silhouette = front;
     end.cap = R(0);
     if (none(cap_seen)) return end;
     const Rim<R> behind{rim.centre, -rim.towards, rim.aside};
-    const OutlineWay<R> back = along_rim(profile, behind, -view.cosine, view.has_back & round, panels);
+    const OutlineWay<R> back = along_rim(profile, behind, -view.cosine, view.has_back & round, cover.panels,
+                                           cover.few_nodes);
     end.silhouette = {select(cap_seen, back.share, front.share), select(cap_seen, back.left, front.left),
                       select(cap_seen, back.right, front.right)};
     const auto inside = top ? front.left & back.right : front.right & back.left;
@@ -216,8 +217,8 @@ ZERKALO_INLINE Rgb<R> covered_by_tube(const CoveredSolid& cover, const Plan& pla
                                       Vec3<R> p, const LobeFrame<R>& frame) {
     const TubeData& tube = plan.solids[cover.k].tube;
     const TubeView<R> view = view_of_tube(tube, p, frame);
-    const TubeEnd<R> base = end_of_tube(profile, view, tube, false, cover.panels);
-    const TubeEnd<R> top = end_of_tube(profile, view, tube, true, cover.panels);
+    const TubeEnd<R> base = end_of_tube(profile, view, tube, false, cover);
+    const TubeEnd<R> top = end_of_tube(profile, view, tube, true, cover);
     const auto both = view.has_front & view.has_back;
     const OutlineWay<R> rising = along_edge(profile, base.last, top.last, both);
     const OutlineWay<R> falling = along_edge(profile, base.first, top.first, both);
@@ -252,29 +253,6 @@ ZERKALO_ONCE Rgb<R> covered_light(const TileCover& cover, const Plan& plan, cons
         sum = sum + select(here, light, spread<R>(Rgb<float>{0, 0, 0}));
     }
     return sum;
-}
-
-/// The covered part of the light of all pixels that wait for their lobe rays, neighbours side by side.
-template <class R>
-ZERKALO_ONCE void cover_waiting(TileCover& cover, const GlossQueues& queues, const Plan& plan,
-                                const MirrorPlan& mirror, TileCounts& counts) {
-    constexpr std::uint64_t kPacket = (std::uint64_t{1} << kWidth<R>)-1;
-    const GlossPoints& points = queues.points;
-    for (int first = 0; first < kTilePixels; first += kWidth<R>) {
-        const std::uint64_t waiting = queues.waiting >> first & kPacket;
-        if (waiting == 0) continue;
-        const Vec3<R> p{load<R>(points.px + first), load<R>(points.py + first), load<R>(points.pz + first)};
-        const Vec3<R> m{load<R>(points.mx + first), load<R>(points.my + first), load<R>(points.mz + first)};
-        const Tangents<R> across = tangents_of(m);
-        auto covered = Mask<R>(false), sampled = Mask<R>(false);
-        put(cover.light, first, covered_light(cover, plan, mirror, p, LobeFrame<R>{m, across.t, across.b}, covered),
-            false);
-        for (CandidateMask left = cover.plain; left != 0; left &= left - 1) {
-            sampled = sampled | lobe_may_meet(plan.solids[first_of(left)], mirror.lobe, p, m);
-        }
-        for (std::uint64_t left = bits_of(covered) & waiting; left != 0; left &= left - 1) ++counts.covered;
-        for (std::uint64_t left = bits_of(sampled) & waiting; left != 0; left &= left - 1) ++counts.sampled;
-    }
 }
 
 /// Adds what the outline of solid k counts for a hit of the given faces.

@@ -14,7 +14,9 @@ constexpr int kMostPanels = 32;   // of a quarter of a tube's rim
 struct CoveredSolid {
     std::int32_t k;
     std::int32_t panels;      // into which each quarter of a tube's rims is cut
+    bool few_nodes;           // four nodes serve each panel
     std::int32_t face_count;  // a hit names one of these
+    float room;               // distance from the tile's mirror points, at least; not positive if one may be inside
     float r[kMaxOutlineFaces], g[kMaxOutlineFaces], b[kMaxOutlineFaces];  // by the face that a hit names
 };
 
@@ -23,22 +25,25 @@ struct TileCover {
     CoveredSolid solids[kMaxCovered];
     std::int32_t count;
     TileColours light;    // by pixel: the sum over f of (c_f - b) coverage_f
+    bool smooth;          // so that it can be interpolated from a few places of the tile (render/cover_grid.hpp)
     CandidateMask plain;  // solids that some lobe may meet and that are left to the lobe rays alone
 };
 
 /// Solids whose outline can be integrated. A tube's rim is cut into pieces not longer than the lobe is wide.
-ZERKALO_INLINE bool can_be_covered(const Plan& plan, const TileLobe& lobe, int k, std::int32_t& panels) {
+ZERKALO_INLINE bool can_be_covered(const Plan& plan, const TileLobe& lobe, int k, CoveredSolid& cover) {
     const SolidPlan& solid = plan.solids[k];
-    panels = 1;
-    if (solid.shape == ShapeKind::half_spaces) return plan.outlines[k].edge_count > 0;
+    cover.panels = 1;
     const Vec3<float> f = solid.bound_centre - lobe.p;
     const float room = sqrt(dot(f, f)) - solid.bound_radius - lobe.stray;
+    cover.room = room;
+    if (solid.shape == ShapeKind::half_spaces) return plan.outlines[k].edge_count > 0;
     if (!(room > 0)) return false;
     if (solid.shape == ShapeKind::sphere) return true;
     // A quarter of a rim's arc is at most pi / 4 of its radius long on either side; eight nodes serve twice the cone.
     const float needed = 0.8f * solid.bound_radius / (room * sqrt(plan.mirrors[0].profile.tangent2));
     if (!(needed <= float(kMostPanels))) return false;
-    while (float(panels) < needed) ++panels;
+    while (float(cover.panels) < needed) ++cover.panels;
+    cover.few_nodes = needed <= 0.5f;
     return true;
 }
 
@@ -158,10 +163,22 @@ ZERKALO_INLINE void shade_tube(CoveredSolid& cover, const Plan& plan, const Glan
     set_shade(cover, plan, from, in_world(at), kCapFace, counts);
 }
 
+/// Does the light of covered solids change so little over the tile that a polynomial of third degree in each direction
+/// is good to 10^-4? By how much of the lobe's width the lobes move against the nearest solid.
+ZERKALO_INLINE bool is_smooth(const TileCover& cover, const TileLobe& lobe, const LobeProfile& profile) {
+    // The cone is sqrt(2 ln 2^12) = 4.08 standard deviations wide; the error is 0.046 (span / 4)^4 of a step.
+    constexpr float kWidestSpan = 0.9f, kDeviations = 4.08f;
+    float room = cover.solids[0].room;
+    for (std::int32_t i = 1; i < cover.count; ++i) room = min(room, cover.solids[i].room);
+    const float span = 1.42f * (lobe.turn + lobe.stray / room) * kDeviations;
+    return room > 0 && span * span <= kWidestSpan * kWidestSpan * profile.tangent2;
+}
+
 /// Chooses the covered solids of a tile and computes their shades. Nothing here depends on the lobe rays.
 template <class R>
 ZERKALO_ONCE void cover_tile(TileCover& cover, const Plan& plan, const Rect& tile, TileCounts& counts) {
     cover.count = 0;
+    cover.smooth = false;
     const TileLobe lobe = lobe_of_tile<R>(plan, tile);
     if (!lobe.bounded) {
         cover.plain = first_bits(plan.solid_count);
@@ -173,7 +190,7 @@ ZERKALO_ONCE void cover_tile(TileCover& cover, const Plan& plan, const Rect& til
         const int k = first_of(left);
         const ShapeKind shape = plan.solids[k].shape;
         CoveredSolid& next = cover.solids[cover.count];
-        if (cover.count == kMaxCovered || !can_be_covered(plan, lobe, k, next.panels)) {
+        if (cover.count == kMaxCovered || !can_be_covered(plan, lobe, k, next)) {
             cover.plain |= CandidateMask{1} << k;
             continue;
         }
@@ -186,6 +203,7 @@ ZERKALO_ONCE void cover_tile(TileCover& cover, const Plan& plan, const Rect& til
         if (shape == ShapeKind::half_spaces) shade_polyhedron(next, plan, from, counts);
         if (shape == ShapeKind::tube) shade_tube(next, plan, from, counts);
     }
+    cover.smooth = cover.count > 0 && is_smooth(cover, lobe, plan.mirrors[0].profile);
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

@@ -4,12 +4,16 @@
 //
 // with w_i the lobe's weight and W their mean: 1 for the seed's Phong lobe (rays below the horizon see the background),
 // min(1, cos_i / cos_o) for max-Phong. Where no ray can meet a solid the sum is empty: the answer is exact without a
-// ray. Pixels that do need rays wait in a queue, so that packets are full; the lattice's first points are in the plan. Source
+// ray. Where the solids' faces f are covered first (render/cover_solids.hpp), with any shades c_f, the same is
+//
+//     I = background W + sum over f of (c_f - background) coverage_f
+//         + (1/N) sum over i of  w_i (L_i - background) - sum over all f that ray i meets of (c_f - background)
+//
+// so that only what differs from the shades is left to the rays. Pixels that do need rays wait in a queue, so that packets are full; the lattice's first points are in the plan. Source
 // of max-Phong: Neumann, Neumann, Szirmay-Kalos, "Compact Metallic Reflectance Models", CGF 18(3), 1999.
 #pragma once
 
-#include "core/render/cover_solids.hpp"
-#include "core/render/gloss_queue.hpp"
+#include "core/render/cover_grid.hpp"
 #include "core/render/spread.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {

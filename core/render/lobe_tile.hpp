@@ -10,6 +10,7 @@ namespace zerkalo::inline ZERKALO_ISA {
 struct TileLobe {
     Vec3<float> p, m;
     float stray, cosine, sine;  // cone: the lobe's, widened by the angle
+    float turn;                 // sine of that angle
     bool bounded;
 };
 
@@ -43,6 +44,7 @@ ZERKALO_INLINE TileLobe lobe_of_tile(const Plan& plan, const Rect& tile) {
     if (!(sine < 0.5f)) return lobe;
     const float cosine = sqrt(1 - sine * sine);
     lobe.stray = sqrt(stray2) * kRoom;
+    lobe.turn = sine;
     lobe.sine = mirror.lobe.sine * cosine + mirror.lobe.cosine * sine;
     lobe.cosine = mirror.lobe.cosine * cosine - mirror.lobe.sine * sine;
     lobe.bounded = lobe.cosine > 0;

@@ -102,6 +102,7 @@ inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const Lin
     const LatticeClasses classes = lattice_classes(queues.tile);
     if (Glossy && mirrors_in(view.seen) != 0) view.in_lobe = candidates_of_tile<R>(plan, tile);
     std::conditional_t<Covered, TileCover, NoCover> cover;
+    std::conditional_t<Covered, CoverGrid, NoCover> grid;
     [[maybe_unused]] bool cover_is_known = false;
     const bool whole = tile.width == kTileSide && tile.height == kTileSide;
     for (std::int32_t a = 0; a < plan.antialias; ++a) {
@@ -122,9 +123,12 @@ inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const Lin
         if constexpr (Glossy) {
             if (queues.waiting == 0) continue;
             if constexpr (Covered) {
-                if (!cover_is_known) cover_tile<R>(cover, plan, tile, tile_counts);
+                if (!cover_is_known) {
+                    cover_tile<R>(cover, plan, tile, tile_counts);
+                    if (cover.smooth) fill_grid<R>(grid, cover, plan, tile);
+                }
                 cover_is_known = true;
-                cover_waiting<R>(cover, queues, plan, plan.mirrors[0], tile_counts);
+                cover_waiting<R>(cover, grid, queues, plan, at, tile_counts);
             }
             flush<R, Spread>(queues, classes, plan, plan.mirrors[0], view.in_lobe, cover, static_cast<std::uint32_t>(a),
                              colours, spread_of_tile, tile_counts);

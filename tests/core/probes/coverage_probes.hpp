@@ -40,7 +40,7 @@ void probe_rim_cover(const LobeProfile& profile, const float* across, const floa
         const Rim<R> rim{{x * nearer, R(0), z * nearer},
                          {z * inverse * rim_radius, R(0), -x * inverse * rim_radius}, {R(0), rim_radius, R(0)}};
         const auto exists = Mask<R>(true);
-        const OutlineWay<R> around = along_rim(profile, rim, R(-1), exists, panels);
+        const OutlineWay<R> around = along_rim(profile, rim, R(-1), exists, panels, panels > 12);
         store(out + k, as_number<R>(around.left) - around.share);
     }
 }
