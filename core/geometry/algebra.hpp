@@ -65,6 +65,12 @@ ZERKALO_INLINE Rgb<A> select(M mask, Rgb<A> a, Rgb<A> b) {
     return {select(mask, a.r, b.r), select(mask, a.g, b.g), select(mask, a.b, b.b)};
 }
 
+/// a + b in the lanes of the mask, a elsewhere; neither is negative.
+template <class M, class A>
+ZERKALO_INLINE A plus_where(M mask, A a, A b) {
+    return select(mask, a + b, a);
+}
+
 /// A uniform vector, the same in all lanes.
 template <class R, class U>
 ZERKALO_INLINE Vec3<R> spread(Vec3<U> a) {

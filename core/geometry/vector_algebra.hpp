@@ -7,12 +7,19 @@
 #if defined(ZERKALO_INT_VECTORS)
 namespace zerkalo::inline ZERKALO_ISA {
 
-// Of the three products of a sum two fit into 64 bits without being held.
+// Of the three products of a sum two fit into 64 bits without being held; all three do where one vector is a direction,
+// whose components are at most 1 but for rounding, or a difference of two, times itself.
 template <class A, int FA, class B, int FB>
     requires SingleWord<A> && SingleWord<B> && InVectors<A, B>
 ZERKALO_INLINE auto dot(Vec3<Fixed<A, FA>> a, Vec3<Fixed<B, FB>> b) {
+    constexpr int kDirection = FixedFormats::Direction::kFraction;
     const Longs two = sum_of_products((a.x * b.x).raw.v, (a.y * b.y).raw.v);
-    return fixed_of<FA + FB>(held_sum(two, (a.z * b.z).raw.v));
+    const Longs third = (a.z * b.z).raw.v;
+    if constexpr (FA == kDirection || FB == kDirection) {
+        return fixed_of<FA + FB>(sum_of_products(two, third));
+    } else {
+        return fixed_of<FA + FB>(held_sum(two, third));
+    }
 }
 template <class A, int FA, class B, int FB>
     requires SingleWord<A> && SingleWord<B> && InVectors<A, B>

@@ -128,6 +128,25 @@ ZERKALO_INLINE To product(Fixed<A, FA> a, Fixed<B, FB> b) {
     }
 }
 
+/// 64 bits times 64 bits, rounded once; neither is negative.
+template <class To, class A, int FA, class B, int FB>
+    requires InVectors<A, B> && (!SingleWord<A>) && (!SingleWord<B>) && (!SingleWord<typename To::Representation>) &&
+             (FA + FB - To::kFraction > 0 && FA + FB - To::kFraction < 64)
+ZERKALO_INLINE To share_product(Fixed<A, FA> a, Fixed<B, FB> b) {
+    return fixed_of<To::kFraction>(
+        rescaled_wide_product<FA + FB - To::kFraction>(registers_of(a.raw), registers_of(b.raw)));
+}
+
+/// As a word, of 64 bits by 64 bits.
+template <class To, class A, int FA, class B, int FB>
+    requires InVectors<A, B> && (!SingleWord<A>) && (!SingleWord<B>) && SingleWord<typename To::Representation> &&
+             (Fixed<A, FA>::kValueBits + To::kFraction - FA + FB > 63)
+ZERKALO_INLINE To quotient(Fixed<A, FA> a, Fixed<B, FB> b) {
+    constexpr int kShift = To::kFraction - FA + FB;
+    return with_fraction<To::kFraction>(
+        long_quotient_words<kShift>(VectorLongs(registers_of(a.raw)), VectorLongs(registers_of(b.raw))));
+}
+
 /// A word as the quotient by a word.
 template <class To, class A, int FA, class B, int FB>
     requires InVectors<A, B> && SingleWord<B> && SingleWord<typename To::Representation> &&
@@ -155,6 +174,17 @@ template <class A, class B, int F>
 ZERKALO_INLINE VectorMask ahead_of(Fixed<B, F> t_min, Fixed<A, F> t, Fixed<A, F> along) {
     const Words root = along.raw.v;
     return (t > t_min) & VectorMask(Words((t.raw.v < kMostWord) & (root < kMostWord) & (root > -kMostWord)));
+}
+
+template <class A, int F>
+    requires InVectors<A> && (!SingleWord<A>)
+ZERKALO_INLINE Fixed<A, F> plus_where(VectorMask mask, Fixed<A, F> a, Fixed<A, F> b) {
+    return fixed_of<F>(each_part(
+        [](Quads x, Quads y, Quads m) ZERKALO_INLINE_LAMBDA {
+            const Quads sum = Quads(UnsignedQuads(x) + UnsignedQuads(y & m));
+            return where_negative(sum, Quads{} + kMostLong, sum);
+        },
+        a.raw.v, b.raw.v, wide_mask(mask.v)));
 }
 
 template <class A, int F>

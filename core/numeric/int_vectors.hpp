@@ -164,6 +164,8 @@ ZERKALO_INLINE Longs widened(Words x) { return {__builtin_convertvector(x, Quads
 ZERKALO_INLINE UnsignedLongs widened_unsigned(UnsignedWords x) { return {__builtin_convertvector(x, UnsignedQuads)}; }
 ZERKALO_INLINE Words low_words(const Longs& x) { return __builtin_convertvector(x.even, Words); }
 ZERKALO_INLINE Words high_words(const Longs& x) { return __builtin_convertvector(x.even >> 32, Words); }
+/// Held at the ends.
+ZERKALO_INLINE Words narrowed(const Longs& x) { return Words(_mm512_cvtsepi64_epi32(__m512i(x.even))); }
 ZERKALO_INLINE Words narrow_mask(const Longs& m) { return __builtin_convertvector(m.even, Words); }
 ZERKALO_INLINE Longs wide_mask(Words m) { return {__builtin_convertvector(m, Quads)}; }
 ZERKALO_INLINE Longs full_product(Words a, Words b) { return {low_product(widened(a).even, widened(b).even)}; }
@@ -190,6 +192,31 @@ ZERKALO_INLINE Longs full_product(Words a, Words b) {
     return {low_product(Quads(a), Quads(b)), low_product(Quads(UnsignedQuads(a) >> 32), Quads(UnsignedQuads(b) >> 32))};
 }
 #endif
+
+/// Lanes in their order, into memory and from there.
+ZERKALO_INLINE void store_lanes(std::int64_t* target, const Longs& x) {
+#if defined(ZERKALO_ONE_PART)
+    __builtin_memcpy(target, &x, sizeof x);
+#elif defined(__AVX2__)
+    const Longs ordered{__builtin_shufflevector(x.even, x.odd, 0, 4, 1, 5),
+                        __builtin_shufflevector(x.even, x.odd, 2, 6, 3, 7)};
+    __builtin_memcpy(target, &ordered, sizeof ordered);
+#else
+    const Longs ordered{__builtin_shufflevector(x.even, x.odd, 0, 2), __builtin_shufflevector(x.even, x.odd, 1, 3)};
+    __builtin_memcpy(target, &ordered, sizeof ordered);
+#endif
+}
+ZERKALO_INLINE Longs load_lanes(const std::int64_t* source) {
+    Longs x;
+    __builtin_memcpy(&x, source, sizeof x);
+#if defined(ZERKALO_ONE_PART)
+    return x;
+#elif defined(__AVX2__)
+    return {__builtin_shufflevector(x.even, x.odd, 0, 2, 4, 6), __builtin_shufflevector(x.even, x.odd, 1, 3, 5, 7)};
+#else
+    return {__builtin_shufflevector(x.even, x.odd, 0, 2), __builtin_shufflevector(x.even, x.odd, 1, 3)};
+#endif
+}
 
 /// The double nearest to x >= 0.
 ZERKALO_INLINE Doubles double_of(UnsignedQuads x) {

@@ -147,6 +147,12 @@ ZERKALO_INLINE To product(A a, B b) {
     return To(a) * To(b);
 }
 
+/// The same of numbers that are not negative.
+template <class To, class A, class B>
+ZERKALO_INLINE To share_product(A a, B b) {
+    return product<To>(a, b);
+}
+
 /// Square root in the format To of a value >= 0.
 template <class To, class A>
 ZERKALO_INLINE To root(A a) {

@@ -159,11 +159,24 @@ ZERKALO_INLINE Longs difference_of_products(const Longs& a, const Longs& b) {
     return each_part([](Quads x, Quads y) ZERKALO_INLINE_LAMBDA { return x - y; }, a, b);
 }
 
-/// x / 2^Shift to nearest, ties away from zero, as words held at the ends.
+/// x / 2^Shift to nearest, ties away from zero.
+template <int Shift>
+ZERKALO_INLINE Longs rescaled_longs(const Longs& x) {
+    static_assert(Shift > 1 && Shift < 63);
+    return each_part(
+        [](Quads y) ZERKALO_INLINE_LAMBDA {
+            return shifted_right<1>(shifted_right<Shift - 1>(y + sign_of(y)) + 1);
+        },
+        x);
+}
+/// The same as words held at the ends.
 template <int Shift>
 ZERKALO_INLINE Words rescaled_words(const Longs& x) {
-    static_assert(Shift > 0 && Shift < 62);
+    static_assert(Shift > 1 && Shift < 62);
     constexpr std::int64_t kHalf = std::int64_t{1} << (Shift - 1);
+#if defined(ZERKALO_ONE_PART)
+    return held(narrowed(rescaled_longs<Shift>(x)));
+#endif
     if constexpr (Shift > 32) {
         // The result fits; what rounding would carry out of 64 bits is held before it.
         const Longs rounded = each_part(
@@ -190,7 +203,7 @@ ZERKALO_INLINE Words rescaled_words(const Longs& x) {
     }
 }
 
-/// The same of words, and as 64 bits; a negative Shift multiplies.
+/// The same of words; a negative Shift multiplies.
 template <int Shift>
 ZERKALO_INLINE Words rescaled_words(Words x) {
     static_assert(Shift > -31 && Shift < 31 && Shift != 0 && Shift != 1);
@@ -200,15 +213,6 @@ ZERKALO_INLINE Words rescaled_words(Words x) {
         const Words result = Words(UnsignedWords(x) << -Shift);
         return held(where_negative(Words((result >> -Shift) != x), sign_of(x) ^ kMostWord, result));
     }
-}
-template <int Shift>
-ZERKALO_INLINE Longs rescaled_longs(const Longs& x) {
-    static_assert(Shift > 1 && Shift < 63);
-    return each_part(
-        [](Quads y) ZERKALO_INLINE_LAMBDA {
-            return shifted_right<1>(shifted_right<Shift - 1>(y + sign_of(y)) + 1);
-        },
-        x);
 }
 /// x 2^Up, which fits.
 template <int Up>
@@ -301,6 +305,61 @@ ZERKALO_INLINE Longs rescaled_product_longs(Words a, const Longs& b) {
             return (size ^ s) - s;
         },
         widened_unsigned(magnitude_of(a)), b, sign);
+}
+
+ZERKALO_INLINE UnsignedQuads low_half(UnsignedQuads a, UnsignedQuads b) {
+    // a b modulo 2^64.
+    return low_product(a, b) + ((low_product(a, b >> 32) + low_product(a >> 32, b)) << 32);
+}
+
+/// long_quotient() as words.
+template <int Shift>
+ZERKALO_ONCE VectorInts<std::int32_t, kVectorWidth> long_quotient_words(const VectorInts<std::int64_t, kVectorWidth>& a,
+                                                                        const VectorInts<std::int64_t, kVectorWidth>& b) {
+    struct Answer {
+        Quads quotient, fits;
+    };
+    const auto answer = each_part(
+        [](Quads x_signed, Quads y_signed) ZERKALO_INLINE_LAMBDA {
+            const UnsignedQuads x = magnitude_of(x_signed), y = magnitude_of(y_signed);
+            // 2^e is the largest power of two in x, which has room for 62 - e more bits.
+            const Quads room = 1023 + 62 - Quads(UnsignedQuads(double_of(x & ~(x >> 1))) >> 52);
+            const UnsignedQuads up = UnsignedQuads(room < Shift ? room : Quads{} + Shift);
+            const UnsignedQuads down = Shift - up;
+            const UnsignedQuads dividend = x << up, divisor = (y + (((UnsignedQuads{} + 1u) << down) >> 1)) >> down;
+            constexpr double kHeld = 0x1.fffffffbp+30;
+            const Doubles q = double_of(dividend) / double_of(divisor);
+            const UnsignedQuads estimate = UnsignedQuads(nearest_in_low_words(q)) & 0xffffffffu;
+            const Quads rest = Quads(dividend + (divisor >> 1) - low_half(estimate, divisor));
+            const Quads exact = Quads(estimate) + Quads(rest < 0) - Quads(rest >= Quads(divisor));
+            return Answer{exact, Quads(q < kHeld)};
+        },
+        a.v, b.v);
+    const Words end = sign_of(high_words(a.v) ^ high_words(b.v));
+    const Words size = low_words(each_part([](const Answer& x) ZERKALO_INLINE_LAMBDA { return x.quotient; }, answer));
+    const Words fits = narrow_mask(each_part([](const Answer& x) ZERKALO_INLINE_LAMBDA { return x.fits; }, answer));
+    return VectorWords((where_negative(fits, size, all_words(kMostWord)) ^ end) - end);
+}
+
+/// rescaled_wide_product() to 64 bits of two numbers >= 0.
+template <int Shift>
+ZERKALO_INLINE Longs rescaled_wide_product(const Longs& a, const Longs& b) {
+    static_assert(Shift > 0 && Shift < 64);
+    return each_part(
+        [](Quads x, Quads y) ZERKALO_INLINE_LAMBDA {
+            const UnsignedQuads p = UnsignedQuads(x), q = UnsignedQuads(y);
+            const UnsignedQuads low = low_product(p, q);
+            const UnsignedQuads one = low_product(p >> 32, q) + (low >> 32);
+            const UnsignedQuads two = low_product(p, q >> 32) + (one & 0xffffffffu);
+            const UnsignedQuads bottom = (two << 32) | (low & 0xffffffffu);
+            UnsignedQuads high = low_product(p >> 32, q >> 32) + (one >> 32) + (two >> 32);
+            const UnsignedQuads rounded = bottom + (std::uint64_t{1} << (Shift - 1));
+            // A carry goes up: the rounded number is then the smaller one.
+            high += UnsignedQuads(rounded < bottom) & 1u;
+            const Quads whole = Quads((high << (64 - Shift)) | (rounded >> Shift));
+            return where_negative(Quads(high >> (Shift - 1) != 0), Quads{} + kMostLong, whole);
+        },
+        a, b);
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

@@ -55,10 +55,13 @@ ZERKALO_INLINE Rgb<Radiance<R>> light_share(const LightDataOf<F>& light, const T
         // (R.V)^n through the chord between R and V: x = |R - V|^2 / 2 = 1 - R.V, so R.V > 0 is x < 1.
         const auto chord = mirror_direction(to.l, n, to.n_dot_l) - v;
         const auto x = half_of(dot(chord, chord));
-        const auto n_x = product<Exponent<R>>(x, Exponent<R>(surface.shininess));
+        const auto n_x = share_product<Exponent<R>>(x, Exponent<R>(surface.shininess));
         const auto bright = lit & (x < decltype(half_of(dot(v, v)))(1)) & (n_x < Exponent<R>(light.highlight_limit));
         if (any(bright)) {
-            const W highlight = select(bright, as<W>(power_of_one_minus(x, Exponent<R>(surface.shininess))), W(0));
+            auto asked = x;
+            // Lane by lane: the other lanes get a cheap answer.
+            if constexpr (Formats<R>::kFixed) asked = select(bright, x, decltype(half_of(dot(v, v)))(1));
+            const W highlight = select(bright, as<W>(power_of_one_minus(asked, Exponent<R>(surface.shininess))), W(0));
             share = share + as<W>(scaled(spread<W>(surface.specular), highlight));
         }
     }

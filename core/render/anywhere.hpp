@@ -124,11 +124,11 @@ ZERKALO_INLINE bool met_close_by(AnyHit<R>& best, const PlanFor<R>& plan, int k,
     return true;
 }
 
-/// The nearest surface with t > t_min; t is infinite and id -1 where there is none. `close`: these are camera rays, and
-/// the camera is inside or close to a solid.
+/// The nearest surface with t > t_min; t is infinite and id -1 where there is none. `aimed`: candidates are no guess.
+/// `close`: these are camera rays, and the camera is inside or close to a solid.
 template <class R>
-ZERKALO_ONCE AnyHit<R> nearest_anywhere(const PlanFor<R>& plan, CandidateMask candidates, Vec3<Length<R>> o,
-                                        Vec3<Direction<R>> d, const Departure<R>& from, Mask<R> active,
+ZERKALO_ONCE AnyHit<R> nearest_anywhere(const PlanFor<R>& plan, CandidateMask candidates, bool aimed,
+                                        Vec3<Length<R>> o, Vec3<Direction<R>> d, const Departure<R>& from, Mask<R> active,
                                         Length<R> t_min, bool close) {
     using L = Length<R>;
     AnyHit<R> best{far_away<L>(), Index<R>(-1), Index<R>(0), mask_of<R>(false), L(0), L(0), L(0)};
@@ -136,7 +136,7 @@ ZERKALO_ONCE AnyHit<R> nearest_anywhere(const PlanFor<R>& plan, CandidateMask ca
         const int k = first_of(left);
         const SolidPlanFor<R>& solid = plan.solids[k];
         // The others take no part: what rounding makes of a solid far beside them must not depend on their neighbours.
-        const Mask<R> near = plan.exact_plan ? active : may_meet<R>(solid, o, d, active);
+        const Mask<R> near = plan.exact_plan || aimed ? active : may_meet<R>(solid, o, d, active);
         if (none(near)) continue;
         if (solid.shape == ShapeKind::mesh) {
             keep_mesh<R>(best, plan, solid, o, d, from, near, t_min);

@@ -34,6 +34,40 @@ ZERKALO_INLINE void put(FixedColours& colours, int first, Rgb<Fixed<A, F>> c, bo
     put_channel(colours.b + first, c.b, add);
 }
 
+#if defined(ZERKALO_INT_VECTORS)
+template <class A, int F>
+    requires InVectors<A>
+ZERKALO_INLINE void put_channel(std::int64_t* pixels, Fixed<A, F> c, bool add) {
+    const Longs one = as<Fixed<A, PixelSum::kFraction>>(c).raw.v;
+    store_lanes(pixels, add ? held_sum(one, load_lanes(pixels)) : one);
+}
+
+/// x 2^exponent of x >= 0 as floats, by the float unit: exact in double below 2^53, so rounded once.
+ZERKALO_INLINE void store_floats(float* target, const std::int64_t* x, double unit) {
+    for (int i = 0; i < kTilePixels; i += kPartLanes) {
+        Quads whole;
+        __builtin_memcpy(&whole, x + i, sizeof whole);
+        const auto narrow =
+            __builtin_convertvector(double_of(UnsignedQuads(whole)) * unit, Vector<float, kPartLanes>);
+        __builtin_memcpy(target + i, &narrow, sizeof narrow);
+    }
+}
+
+ZERKALO_INLINE bool all_below(const FixedColours& colours, std::int64_t limit) {
+    Quads together{};
+    for (const std::int64_t* x : {colours.r, colours.g, colours.b}) {
+        for (int i = 0; i < kTilePixels; i += kPartLanes) {
+            Quads whole;
+            __builtin_memcpy(&whole, x + i, sizeof whole);
+            together |= whole;
+        }
+    }
+    std::int64_t bits = 0;
+    for (int k = 0; k < kPartLanes; ++k) bits |= together[k];
+    return bits >= 0 && bits < limit;
+}
+#endif
+
 /// Divides the sums by the number of camera samples.
 template <class R>
 ZERKALO_INLINE void average(FixedColours& colours, std::int32_t antialias) {
@@ -64,6 +98,16 @@ template <class R>
 ZERKALO_INLINE void write_tile(const FixedPlan& plan, const FixedColours& colours, const Rect& tile,
                                const LinearImage& image) {
     const int exponent = plan.exposure - PixelSum::kFraction;
+#if defined(ZERKALO_INT_VECTORS)
+    if (IntLaneTraits<MaskOf<R>>::kInVectors && all_below(colours, std::int64_t{1} << 53)) {
+        TileColours floats;
+        const double unit = __builtin_bit_cast(double, std::int64_t{1023 + exponent} << 52);
+        store_floats(floats.r, colours.r, unit);
+        store_floats(floats.g, colours.g, unit);
+        store_floats(floats.b, colours.b, unit);
+        return write_rows<Real<kVectorWidth>>(floats, kTileSide, tile, image);
+    }
+#endif
     for (std::int32_t y = 0; y < tile.height; ++y) {
         float* out = image.row(tile.top + y) + 3 * tile.left;
         for (std::int32_t x = 0; x < tile.width; ++x, out += 3) {

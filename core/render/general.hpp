@@ -14,6 +14,7 @@ ZERKALO_INLINE PathPacket<R> no_continuation(const PlanFor<R>& plan, const PathP
     PathPacket<R> next = ray;
     next.active = mask_of<R>(false);
     next.candidates = all_of(plan);
+    next.aimed = false;
     next.depth = ray.depth + 1;
     return next;
 }
@@ -24,7 +25,7 @@ ZERKALO_INLINE void trace_one(const PlanFor<R>& plan, const TileView& view, cons
                               const PathKey<R>& key, PathStack<R>& stack, Rgb<LightSum<R>>& sum,
                               TileCounts& counts) {
     const bool close = ray.depth == 0 && (plan.features & kFeatureInside) != 0;
-    const AnyHit<R> hit = nearest_anywhere<R>(plan, ray.candidates, ray.o, ray.d, ray.from, ray.active, t_min, close);
+    const AnyHit<R> hit = nearest_anywhere<R>(plan, ray.candidates, ray.aimed, ray.o, ray.d, ray.from, ray.active, t_min, close);
     const auto hits = ray.active & (hit.id >= Index<R>(0));
     add<R>(sum, ray.active & (!hits), ray.throughput, spread<Radiance<R>>(plan.background));
     if (none(hits)) return;
@@ -78,6 +79,7 @@ ZERKALO_INLINE bool next_packet(const PlanFor<R>& plan, PathStack<R>& stack, con
             if (last) add_missed<R>(plan, top, job.missed, sum);
             if (candidates == 0) {
                 counts.lobe += count_of(top.active);
+                ray.after_lobe = false;  // nothing was added for it alone
                 return false;
             }
         }
@@ -85,6 +87,7 @@ ZERKALO_INLINE bool next_packet(const PlanFor<R>& plan, PathStack<R>& stack, con
     ray = top;
     ray.active = mask_of<R>(false);
     ray.candidates = candidates;
+    ray.aimed = job.target_count > 0;
     ray.is_job = false;
     ray.after_lobe = true;
     ray.sample = s;
@@ -102,7 +105,8 @@ ZERKALO_INLINE Rgb<LightSum<R>> trace_packet(const PlanFor<R>& plan, const TileV
     Rgb<LightSum<R>> sum{LightSum<R>(0), LightSum<R>(0), LightSum<R>(0)};
     const Departure<R> from = departure_of_camera<R>(plan.camera, camera.d);
     stack.count = 0;
-    stack.push(PathPacket<R>{camera.o, camera.d, {W(1), W(1), W(1)}, from, active, view.seen, 0, false, false, 0});
+    stack.push(
+        PathPacket<R>{camera.o, camera.d, {W(1), W(1), W(1)}, from, active, view.seen, false, 0, false, false, 0});
     while (stack.count > 0) {
         PathPacket<R> ray;
         const Rgb<LightSum<R>> before = sum;
@@ -121,11 +125,10 @@ ZERKALO_INLINE PathKey<R> path_key(const PlanFor<R>& plan, const Rect& tile, int
     const std::uint32_t hash = tile_hash(plan, tile);
     const LatticeClasses classes = lattice_classes(hash);
     const bool keyed = is_keyed(plan.sampling.estimator);
-    PathKey<R> key;
+    PathKey<R> key{{}, camera_sample, {}, mask_of<R>(false), mask_of<R>(false), {}};
     for (int lane = 0; lane < kWidth<R>; ++lane) {
         const int x = (first + lane) % kTileSide, y = (first + lane) / kTileSide;
         const int lattice_class = class_of_pixel(classes, first + lane);
-        key.lattice_class[lane] = static_cast<std::uint8_t>(lattice_class);
         turns[lane] = phase_of<Uniform<R>>(phase_of_class(plan.sampling, lattice_class, camera_sample));
         const SetChoice<std::uint32_t> set =
             keyed ? set_of_class(plan.sampling, hash, lattice_class, camera_sample) : SetChoice<std::uint32_t>{0, 0};
@@ -133,8 +136,13 @@ ZERKALO_INLINE PathKey<R> path_key(const PlanFor<R>& plan, const Rect& tile, int
         pixels[lane] = static_cast<std::uint32_t>(tile.top + y) * static_cast<std::uint32_t>(plan.width) +
                        static_cast<std::uint32_t>(tile.left + x);
     }
+    if constexpr (Formats<R>::kFixed) {
+        for (int lane = 0; lane < kWidth<R>; ++lane) {
+            set_lane(key.class_low, lane, (classes.low >> (first + lane) & 1) != 0);
+            set_lane(key.class_high, lane, (classes.high >> (first + lane) & 1) != 0);
+        }
+    }
     key.pixel = load_bits<R>(pixels);
-    key.camera_sample = camera_sample;
     key.turn = load_phases<R>(turns);
     key.set = {load_bits<R>(keys), load_bits<R>(halves)};
     return key;
@@ -153,15 +161,16 @@ inline void render_tile_general(const PlanFor<R>& plan, const Rect& tile, const 
     PathStack<R> stack;
     for (std::int32_t a = 0; a < plan.antialias; ++a) {
         const auto at = sub_pixel<Uniform<R>>(a, plan.antialias);
+        TileColumns<R> columns;
+        fill_columns(columns, plan, tile, at);
         for (int first = 0; first < tile.height * kTileSide; first += kWidth<R>) {
-            const PixelLanes<R> pixel = pixel_lanes<R>(tile, first);
             const auto active = lanes_inside<R>(tile, first);
             if (none(active)) continue;
             const PathKey<R> key = path_key<R>(plan, tile, first, static_cast<std::uint32_t>(a));
             LobeParts<R> parts{};
+            const CameraRay<R> camera = camera_ray<R>(plan, columns, tile, first, at);
             put(colours, first,
-                trace_packet<R>(plan, view, camera_ray<R>(plan, pixel.x, pixel.y, at), active, key, stack,
-                                spread_of_tile ? &parts : nullptr, tile_counts),
+                trace_packet<R>(plan, view, camera, active, key, stack, spread_of_tile ? &parts : nullptr, tile_counts),
                 a > 0);
             if (spread_of_tile) add_variance(*spread_of_tile, first, parts);
         }

@@ -64,13 +64,14 @@ ZERKALO_INLINE LobeRay<R> lobe_ray(const LobePoint<R>& point, Vec3<Direction<R>>
     return {d, weight, Mask<R>(cosine > W(0))};
 }
 
-/// What identifies a camera path: its pixel, the camera sample, its lattice's turn and class, or its keyed set.
+/// What identifies a camera path: its pixel, the camera sample, its lattice's turn and, in fixed point, the two bits of
+/// its class, or its keyed set.
 template <class R>
 struct PathKey {
     Bits<R> pixel;
     std::uint32_t camera_sample;
     Phase<R> turn;
-    std::uint8_t lattice_class[kWidth<R>];
+    Mask<R> class_low, class_high;
     SetChoice<Bits<R>> set;
 };
 
@@ -135,12 +136,12 @@ ZERKALO_INLINE LobePoint<R> point_of_job(const PlanFor<R>& plan, LobeRows<R>& ro
             if (row.sample != s || row.camera_sample != key.camera_sample || row.inverse_exponent != exponent) {
                 fill_row<R>(row, plan, s, key.camera_sample, exponent);
             }
-            LobePoint<R> point{Direction<R>(0), Direction<R>(0), row.forward};
-            for (int k = 0; k < kWidth<R>; ++k) {
-                set_lane(point.side.raw, k, row.side[key.lattice_class[k]].raw);
-                set_lane(point.up.raw, k, row.up[key.lattice_class[k]].raw);
-            }
-            return point;
+            const auto of_class = [&key](const Direction<Uniform<R>>* value) ZERKALO_INLINE_LAMBDA {
+                const auto lower = select(key.class_low, Direction<R>(value[1]), Direction<R>(value[0]));
+                const auto upper = select(key.class_low, Direction<R>(value[3]), Direction<R>(value[2]));
+                return select(key.class_high, upper, lower);
+            };
+            return {of_class(row.side), of_class(row.up), row.forward};
         }
     }
     return lobe_point(share_point<R>(plan.sampling, s, plan.samples), Phase<R>(phase_of_sample<R>(s)) + key.turn,

@@ -125,13 +125,14 @@ ZERKALO_INLINE Vec3<V> towards_pixel(const CameraPlanOf<F>& camera, Vec3<V> colu
 template <class R>
 struct TileColumns {
     static constexpr int kPackets = kWidth<R> < kTileSide ? kTileSide / kWidth<R> : 1;
-    Vec3<R> towards[kPackets];
+    Vec3<View<R>> towards[kPackets];
 };
 
-template <class R>
-ZERKALO_INLINE void fill_columns(TileColumns<R>& columns, const Plan& plan, const Rect& tile, SubPixel at) {
+template <class R, class P>
+ZERKALO_INLINE void fill_columns(TileColumns<R>& columns, const PlanOf<Formats<R>>& plan, const Rect& tile,
+                                 SubPixelOf<P> at) {
     for (int c = 0; c < TileColumns<R>::kPackets; ++c) {
-        const R x = column_lanes<R>(tile, c * kWidth<R>);
+        const Pixels<R> x = column_lanes<R>(tile, c * kWidth<R>);
         columns.towards[c] = towards_column(plan.camera, twice_across(plan, x, at));
     }
 }
@@ -143,16 +144,29 @@ struct CameraRay {
     Length<R> t_min;
 };
 
-/// The ray through a pixel's point, also from far away.
+/// The row of a packet's pixels: one that all lanes share, where the tile is as wide.
+template <class R>
+ZERKALO_INLINE auto packet_row(const Rect& tile, int first) {
+    if constexpr (kWidth<R> <= kTileSide) {
+        return Pixels<Uniform<R>>(pixels_of<Numbers<Pixels<Uniform<R>>>>(tile.top + first / kTileSide));
+    } else {
+        return row_lanes<R>(tile, first);
+    }
+}
+
+/// The rays through a point of each pixel of a packet, also from far away.
 template <class R, class P>
-ZERKALO_INLINE CameraRay<R> camera_ray(const PlanOf<Formats<R>>& plan, Pixels<R> x, Pixels<R> y, SubPixelOf<P> at) {
+ZERKALO_INLINE CameraRay<R> camera_ray(const PlanOf<Formats<R>>& plan, const TileColumns<R>& columns, const Rect& tile,
+                                       int first, SubPixelOf<P> at) {
     using L = Length<R>;
     using F = FarStep<R>;
     const auto& camera = plan.camera;
-    const Pixels<R> across = twice_across(plan, x, at), upwards = twice_upwards(plan, y, at);
-    const auto towards = unit_of(towards_pixel(camera, towards_column(camera, across), upwards));
+    const auto upwards = twice_upwards(plan, packet_row<R>(tile, first), at);
+    const int packet = first / kWidth<R> % TileColumns<R>::kPackets;
+    const auto towards = unit_of(towards_pixel(camera, columns.towards[packet], upwards));
     CameraRay<R> ray{spread<L>(camera.origin), towards.unit, L(0)};
     if (plan.features & kFeatureFar) {
+        const Pixels<R> across = twice_across(plan, column_lanes<R>(tile, first), at);
         const Vec3<L> from_column = camera.origin + as<L>(product<F>(camera.origin_step_x, across));
         ray.o = from_column + as<L>(product<F>(camera.origin_step_y, upwards));
         ray.t_min = -as<L>(product<F>(towards.length, F(camera.pull)));

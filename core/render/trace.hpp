@@ -25,6 +25,7 @@ struct PathPacket {
     Departure<R> from;
     Mask<R> active;
     CandidateMask candidates;  // all that the rays can meet
+    std::uint8_t aimed;        // some ray comes near each of them
     std::int32_t depth;
     std::uint8_t after_lobe;  // the path has met an unpolished mirror
     std::uint8_t is_job;
@@ -77,7 +78,7 @@ ZERKALO_ONCE Rgb<Radiance<R>> local_light_anywhere(const PlanFor<R>& plan, Vec3<
 template <class R>
 ZERKALO_INLINE void add(Rgb<LightSum<R>>& sum, Mask<R> mask, Rgb<Weight<R>> throughput, Rgb<Radiance<R>> light) {
     const Rgb<LightSum<R>> share = throughput * light;
-    sum = select(mask, sum + share, sum);
+    sum = {plus_where(mask, sum.r, share.r), plus_where(mask, sum.g, share.g), plus_where(mask, sum.b, share.b)};
 }
 
 /// Lanes of `mask` go on along d from p with the given weight.
@@ -183,8 +184,11 @@ ZERKALO_INLINE void go_on_in_lobe(const PlanFor<R>& plan, const LobeRay<R>& lobe
                                   Mask<R> mask, Vec3<Length<R>> p, Rgb<Weight<R>> throughput, Index<R> id,
                                   PathPacket<R>& next, Rgb<LightSum<R>>& sum, TileCounts& counts) {
     counts.lobe += count_of(mask);
-    add<R>(sum, mask & (!lobe_ray.above) & (!max_phong), throughput, spread<Radiance<R>>(plan.background));
-    go_on<R>(next, mask & lobe_ray.above, p, lobe_ray.d, as<Weight<R>>(scaled(throughput, lobe_ray.weight)),
+    const auto below = mask & (!lobe_ray.above) & (!max_phong);
+    if (any(below)) add<R>(sum, below, throughput, spread<Radiance<R>>(plan.background));
+    // Else the weight is 1.
+    if (any(max_phong)) throughput = as<Weight<R>>(scaled(throughput, lobe_ray.weight));
+    go_on<R>(next, mask & lobe_ray.above, p, lobe_ray.d, throughput,
              Departure<R>{id, Index<R>(0), mask_of<R>(false)});
 }
 

@@ -63,12 +63,14 @@ void ZERKALO_STAGES(const Plan& plan, StageImages& out) {
     }
     for (int i = 0; i < tile_count(plan); ++i) {
         const Rect tile = tile_at(plan, i);
+        const auto at = sub_pixel<Uniform<R>>(0, 1);
+        TileColumns<R> columns;
+        fill_columns(columns, plan, tile, at);
         for (int first = 0; first < tile.height * kTileSide; first += kWidth<R>) {
             const Mask<R> active = Mask<R>(lanes_inside<R>(tile, first));
-            const PixelLanes<R> pixel = pixel_lanes<R>(tile, first);
-            const CameraRay<R> ray = camera_ray<R>(plan, pixel.x, pixel.y, sub_pixel<Uniform<R>>(0, 1));
+            const CameraRay<R> ray = camera_ray<R>(plan, columns, tile, first, at);
             const AnyHit<R> hit = nearest_anywhere<R>(
-                plan, everything, ray.o, ray.d, departure_of_camera<R>(plan.camera, ray.d), active, ray.t_min, close);
+                plan, everything, false, ray.o, ray.d, departure_of_camera<R>(plan.camera, ray.d), active, ray.t_min, close);
             const Vec3<R> n = normal_of(plan, ray, hit, active);
             Scatter scatter(plan, tile, first, out);
             scatter.put(kCameraRay, {ray.o.x, ray.o.y, ray.o.z, ray.d.x, ray.d.y, ray.d.z, ray.t_min});
