@@ -26,6 +26,12 @@ Hashed rendered(const FixedPlan& plan, FixedTileFunction render_tile) {
     return result;
 }
 
+/// A kernel of W lanes in arrays.
+template <int W>
+void of_width(const FixedPlan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
+    render_tile_general<FixedNumbers<W>>(plan, tile, image, counts);
+}
+
 TEST(FixedWidths, GiveTheSameBytesForEveryKindOfSurface) {
     const auto plan = std::make_unique<FixedPlan>();
     Settings settings;
@@ -35,11 +41,11 @@ TEST(FixedWidths, GiveTheSameBytesForEveryKindOfSurface) {
     for (const Scene& scene : pictures::kScenes) {
         ASSERT_TRUE(prepare(scene, settings, *plan).ok());
         const Hashed one = rendered(*plan, kernel_for(*plan, Isa::scalar));
-        const Hashed four = rendered(*plan, &render_tile_general<FixedNumbers<4>>);
+        const Hashed four = rendered(*plan, &of_width<4>);
         EXPECT_EQ(four.hash, one.hash);
         EXPECT_EQ(four.rays.primary + four.rays.lobe + four.rays.reflected + four.rays.refracted + four.rays.shadow,
                   one.rays.primary + one.rays.lobe + one.rays.reflected + one.rays.refracted + one.rays.shadow);
-        EXPECT_EQ(rendered(*plan, &render_tile_general<FixedNumbers<8>>).hash, one.hash);
+        EXPECT_EQ(rendered(*plan, &of_width<8>).hash, one.hash);
     }
 }
 
