@@ -5,7 +5,7 @@
 
 namespace zerkalo {
 
-/// The rules by their names on the command line; what each does: optics/lattice.hpp, optics/point_sets.hpp.
+/// The rules by their names on the command line; what each does: optics/README.md.
 enum class Estimator : std::uint8_t { random, jittered, sobol, r2, fibonacci, fibonacci_coverage };
 constexpr int kEstimatorCount = 6;
 constexpr const char* kEstimatorNames[kEstimatorCount] = {"random", "jittered", "sobol",

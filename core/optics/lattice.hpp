@@ -62,7 +62,8 @@ ZERKALO_INLINE B hash_bits(B key) {
 ZERKALO_INLINE Sampling sampling_of(Estimator estimator, std::uint32_t rotation) {
     if (rotation == 0) return {estimator, 0, kShareSteps / 2};
     const auto step = static_cast<std::int32_t>(hash_bits(~rotation) >> 23);  // of kShareSteps, 2^9
-    return {estimator, hash_bits(rotation), step | 1};
+    // Hashed twice: camera samples and paths are picked by sums with a hash of their number.
+    return {estimator, hash_bits(hash_bits(rotation)), step | 1};
 }
 
 constexpr int kLatticeClasses = 4;

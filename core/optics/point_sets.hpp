@@ -35,8 +35,9 @@ struct SetChoice {
 
 ZERKALO_INLINE SetChoice<std::uint32_t> set_of_class(const Sampling& sampling, std::uint32_t tile_hash,
                                                      int lattice_class, std::uint32_t camera_sample) {
-    const std::uint32_t key = hash_bits(tile_hash ^ hash_bits(sampling.turn ^ hash_bits(camera_sample + 1)));
-    return {key, static_cast<std::uint32_t>(lattice_class) << 31};
+    // Hashed twice, for tile_hash and turn are hashes of small numbers too: sums of equals would meet.
+    const std::uint32_t place = hash_bits(hash_bits(sampling.turn ^ (camera_sample + 1)));
+    return {hash_bits(tile_hash ^ place), static_cast<std::uint32_t>(lattice_class) << 31};
 }
 
 /// A key for the azimuth, as good as independent of the one for u.
