@@ -90,7 +90,9 @@ ZERKALO_INLINE SetPoint<R> jittered_point(Bits<R> index, std::int32_t count, con
         };
         return {with_fraction<60>(each_lane(share, index, one)), each_lane(turn, index, two)};
     } else {
-        constexpr float kWhole = 12582912.0f;  // adding it leaves the nearest whole number
+        // Adding it leaves the nearest whole number.
+        using U = UniformReal<R>;
+        constexpr U kWhole = std::same_as<R, double> ? U(0x1.8p52) : U(0x1.8p23f);
         // Exact for index < 2^23: the low bits of a float in [2^23, 2^24).
         const R i = from_bits(index | Bits<R>(0x4b000000u)) - R(8388608.0f);
         const auto in_narrow = i >= R(float(in_wider));

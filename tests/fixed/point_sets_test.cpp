@@ -44,6 +44,21 @@ TEST(FixedPointSets, AreThoseOfFloatToItsLastBits) {
     }
 }
 
+TEST(PointSetsInDouble, AreThoseOfFloatToItsLastBits) {
+    constexpr double kRoom = 0x1p-22;
+    Random random(213);
+    for (const Estimator rule : kKeyed) {
+        for (int i = 0; i < 20000; ++i) {
+            const Draw at = draw(random, rule);
+            const auto doubles = set_point<double>(rule, at.index, at.count, {at.key, at.half});
+            const auto floats = set_point<float>(rule, at.index, at.count, {at.key, at.half});
+            ASSERT_LE(std::abs(doubles.u - double(floats.u)), kRoom) << text(at);
+            const double turn = doubles.turn - double(floats.turn);
+            ASSERT_LE(std::abs(turn - std::round(turn)), kRoom) << text(at);
+        }
+    }
+}
+
 TEST(FixedPointSets, EveryWidthGivesTheSameIntegers) {
     Random random(212);
     for (const Estimator rule : kKeyed) {

@@ -134,8 +134,9 @@ TEST_P(PointSets, EveryPointIsUniformOverTheKeys) {
             for (std::uint32_t key = 1; key <= kKeys; ++key) {
                 const Square points = set(rule, kPoints, hash_bits(key), half);
                 for (int k = 0; k < kPoints; ++k) {
-                    const int box = static_cast<int>(points.x(k) * kSide) * kSide + static_cast<int>(points.y(k) * kSide);
-                    ++boxes[static_cast<std::size_t>(k)][static_cast<std::size_t>(box)];
+                    const auto column = static_cast<std::size_t>(points.x(k) * kSide);
+                    const auto row = static_cast<std::size_t>(points.y(k) * kSide);
+                    ++boxes[static_cast<std::size_t>(k)][column * kSide + row];
                 }
             }
             for (int k = 0; k < kPoints; ++k) {
