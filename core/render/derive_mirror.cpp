@@ -22,8 +22,15 @@ LobeDataOf<F> lobe_of(const Mirror& mirror, const PlanHead& plan, const Constant
     const double n = mirror.lobe_exponent;
     lobe.glossy = n < kInfinity;
     lobe.max_phong = mirror.lobe == Lobe::max_phong;
+    lobe.ggx = mirror.lobe == Lobe::ggx;
     if (!lobe.glossy) return lobe;
     lobe.inverse_exponent = to.share(1 / (n + 1));
+    lobe.alpha = to.weight(1 / square_root(2 * n + 1));
+    // Steep normals send rays anywhere: no cone holds them.
+    if (lobe.ggx) {
+        lobe.cosine = to.weight(0), lobe.sine = lobe.widest_sine = to.weight(1);
+        return lobe;
+    }
     const double widest = least_share(plan.sampling, plan.samples);
     // Room for the rounding of lattice and frame: both far below 2^-18.
     constexpr double kRoom = 0x1p-18;

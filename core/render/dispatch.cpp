@@ -44,7 +44,7 @@ const IsaRow& row_of(Isa isa) { return kRows[static_cast<int>(isa)]; }
 
 constexpr std::uint32_t kNeedsGeneral =
     kFeatureChain | kFeatureBranch | kFeatureCurved | kFeatureMesh | kFeatureFar | kFeatureInside |
-    kFeatureFlush;
+    kFeatureFlush | kFeatureGgx;
 
 struct FeatureName {
     std::uint32_t bit;
@@ -58,6 +58,7 @@ constexpr FeatureName kFeatureNames[] = {
     {kFeatureMirror, "mirror"},
     {kFeatureGlossy, "glossy"},
     {kFeatureMaxPhong, "max_phong"},
+    {kFeatureGgx, "ggx"},
     {kFeatureCurved, "curved_mirror"},
     {kFeatureChain, "chain"},
     {kFeatureBranch, "branch"},

@@ -29,7 +29,8 @@ ZERKALO_INLINE void trace_one(const PlanFor<R>& plan, const TileView& view, cons
     if (none(hits)) return;
     const PathPacket<R> fresh = no_continuation(plan, ray);
     const Vec3<Direction<R>> zero = {Direction<R>(0), Direction<R>(0), Direction<R>(0)};
-    Continuations<R> next{fresh, fresh, fresh, {zero, {zero, zero}, Share<R>(0), mask_of<R>(false)}};
+    Continuations<R> next{fresh, fresh, fresh, {zero, {zero, zero}, Share<R>(0), Direction<R>(0), mask_of<R>(false),
+                                                  mask_of<R>(false)}};
     next.job.is_job = true;
     next.job.sample = 0;
     next.job.candidates = 0;
@@ -59,13 +60,16 @@ ZERKALO_INLINE bool next_packet(const PlanFor<R>& plan, PathStack<R>& stack, con
     if (top.sample == plan.samples) --stack.count;
     const LobeJob<R>& job = stack.lobe;
     const LobePoint<R> point = point_of_job<R>(plan, stack.rows, job, key, s, ray.active);
-    const LobeRay<R> lobe = lobe_ray<R>(point, ray.d, job.base, job.n, job.max_phong);
+    LobeRay<R> lobe = lobe_ray<R>(point, ray.d, job.base, job.n, job.max_phong);
+    if (plan.features & kFeatureGgx) {
+        lobe = select<R>(job.ggx, ggx_ray<R>(place_of_ray<R>(plan, key, s), ray.d, job.n, job.alpha), lobe);
+    }
     PathPacket<R> next = ray;
     next.active = mask_of<R>(false);
     next.is_job = false;
     next.after_lobe = true;
     next.sample = s;
-    go_on_in_lobe<R>(plan, lobe, job.max_phong, ray.active, ray.o, ray.throughput, ray.from.id, next, sum, counts);
+    go_on_in_lobe<R>(plan, lobe, job.max_phong | job.ggx, ray.active, ray.o, ray.throughput, ray.from.id, next, sum, counts);
     ray = next;
     return any(ray.active);
 }

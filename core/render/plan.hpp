@@ -37,6 +37,7 @@ enum Feature : std::uint32_t {
     kFeatureAntialias = 1u << 14,
     kFeatureFresnel = 1u << 15,  // a transparent solid that reflects by Fresnel's equations
     kFeatureFlush = 1u << 16,    // a solid's face lies in the plane of a mirror and looks to the camera's side
+    kFeatureGgx = 1u << 17,      // a rough mirror of microfacets
 };
 
 /// How the rays of one kind meet a solid: the closed list of kernels behind the six kinds of a scene.
