@@ -63,7 +63,7 @@ TEST(ReferenceLobe, MaxPhongReturnsItsAlbedo) {
 
 /// Integral over the hemisphere of D(h) G2 / (4 cos_view), h half-way between viewer and light: midpoint rule.
 double ggx_albedo(double alpha, double angle) {
-    constexpr int kSteps = 2000;
+    constexpr int kSteps = 1000;
     const Vector viewer{std::sin(angle), 0, std::cos(angle)};
     const auto lambda = [&](double cosine) {
         return (std::sqrt(1 + alpha * alpha * (1 / (cosine * cosine) - 1)) - 1) / 2;
