@@ -21,6 +21,7 @@ add_library(zerkalo_commands OBJECT
   zerkalo/show_command.cpp
   zerkalo/doctor_command.cpp
   zerkalo/stability_command.cpp
+  zerkalo/strip_command.cpp
   zerkalo/study_command.cpp)
 target_include_directories(zerkalo_commands PUBLIC ${PROJECT_SOURCE_DIR})
 target_compile_definitions(zerkalo_commands PUBLIC ZERKALO_VERSION="${PROJECT_VERSION}")

@@ -58,10 +58,12 @@ struct LobeConeOf<FixedFormats> {
 template <class F>
 struct LobeDataOf {
     typename F::Share inverse_exponent;  // 1 / (n + 1)
+    typename F::Direction alpha;         // of a ggx lobe
     typename F::Weight cosine, sine;     // of the cone that holds all lobe rays, or all but 2^-11 of the lobe's energy
     typename F::Weight widest_sine;      // of the lattice ray farthest from the axis, rounded up
     std::uint8_t glossy;
     std::uint8_t max_phong;
+    std::uint8_t ggx;
     [[no_unique_address]] LobeConeOf<F> cone;
 };
 using LobeData = LobeDataOf<FloatFormats>;

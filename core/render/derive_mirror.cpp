@@ -21,7 +21,10 @@ LobeDataOf<F> lobe_of(const Mirror& mirror, const Constants<F>& to) {
     LobeDataOf<F> lobe{};
     lobe.glossy = mirror.lobe_exponent < kInfinity;
     lobe.max_phong = mirror.lobe == Lobe::max_phong;
-    if (lobe.glossy) lobe.inverse_exponent = to.share(1 / (mirror.lobe_exponent + 1));
+    lobe.ggx = mirror.lobe == Lobe::ggx;
+    if (!lobe.glossy) return lobe;
+    lobe.inverse_exponent = to.share(1 / (mirror.lobe_exponent + 1));
+    lobe.alpha = to.weight(1 / square_root(2 * mirror.lobe_exponent + 1));
     return lobe;
 }
 
@@ -62,6 +65,11 @@ double sagitta(const Mirror& mirror) {
 
 template <class F>
 void derive_cone(double n, const PlanHead& plan, bool survey, const Constants<F>& to, LobeDataOf<F>& lobe) {
+    // Steep normals send rays anywhere: no cone holds them.
+    if (lobe.ggx) {
+        lobe.cosine = to.weight(0), lobe.sine = lobe.widest_sine = to.weight(1);
+        return;
+    }
     const double widest = least_share(plan.sampling, plan.samples);
     // Room for the rounding of lattice and frame: both far below 2^-18.
     constexpr double kRoom = 0x1p-18;

@@ -54,6 +54,7 @@ constexpr FeatureName kFeatureNames[] = {
     {kFeatureMirror, "mirror"},
     {kFeatureGlossy, "glossy"},
     {kFeatureMaxPhong, "max_phong"},
+    {kFeatureGgx, "ggx"},
     {kFeatureCurved, "curved_mirror"},
     {kFeatureChain, "chain"},
     {kFeatureBranch, "branch"},

@@ -31,7 +31,8 @@ ZERKALO_INLINE void trace_one(const PlanFor<R>& plan, const TileView& view, cons
     if (none(hits)) return;
     const PathPacket<R> fresh = no_continuation(plan, ray);
     const Vec3<Direction<R>> zero = {Direction<R>(0), Direction<R>(0), Direction<R>(0)};
-    Continuations<R> next{fresh, fresh, fresh, {zero, Share<R>(0), mask_of<R>(false)}};
+    Continuations<R> next{fresh, fresh, fresh,
+                          {zero, Share<R>(0), Direction<R>(0), mask_of<R>(false), mask_of<R>(false)}};
     next.job.is_job = true;
     next.job.sample = 0;
     next.job.candidates = 0;
@@ -91,8 +92,12 @@ ZERKALO_INLINE bool next_packet(const PlanFor<R>& plan, PathStack<R>& stack, con
     ray.is_job = false;
     ray.after_lobe = true;
     ray.sample = s;
-    const LobeRay<R> lobe = lobe_ray<R>(point, top.d, job.base, job.n, job.max_phong);
-    go_on_in_lobe<R>(plan, lobe, job.max_phong, top.active, top.o, top.throughput, top.from.id, ray, sum, counts);
+    LobeRay<R> lobe = lobe_ray<R>(point, top.d, job.base, job.n, job.max_phong);
+    if (plan.features & kFeatureGgx) {
+        lobe = select<R>(job.ggx, ggx_ray<R>(place_of_ray<R>(plan, key, s), top.d, job.n, job.alpha), lobe);
+    }
+    go_on_in_lobe<R>(plan, lobe, job.max_phong | job.ggx, top.active, top.o, top.throughput, top.from.id, ray, sum,
+                     counts);
     return any(ray.active);
 }
 

@@ -5,6 +5,7 @@
 // makes each ray once for the four classes.
 #pragma once
 
+#include "core/optics/ggx.hpp"
 #include "core/optics/lattice.hpp"
 #include "core/optics/point_sets.hpp"
 #include "core/render/anywhere.hpp"
@@ -28,7 +29,8 @@ template <class R>
 struct LobeStart {
     Vec3<Direction<R>> n;
     Share<R> inverse_exponent;
-    Mask<R> max_phong;
+    Direction<R> alpha;
+    Mask<R> max_phong, ggx;
 };
 
 /// What the lobe rays of a packet share.
@@ -62,6 +64,23 @@ ZERKALO_INLINE LobeRay<R> lobe_ray(const LobePoint<R>& point, Vec3<Direction<R>>
     W weight = W(1);
     if (any(max_phong)) weight = select(max_phong, lobe_weight_of(cosine, as<W>(dot(m, n))), W(1));
     return {d, weight, Mask<R>(cosine > W(0))};
+}
+
+/// The same of a ggx lobe, from the place of its ray: that lobe is not one shape turned about m.
+template <class R>
+ZERKALO_ONCE LobeRay<R> ggx_ray(const SetPoint<R>& at, Vec3<Direction<R>> m, Vec3<Direction<R>> n,
+                                Direction<R> alpha) {
+    using D = Direction<R>;
+    const Tangents<D> base = tangents_of(n);
+    const Vec3<D> viewer{as<D>(-dot(m, base.t)), as<D>(-dot(m, base.b)), as<D>(dot(m, n))};
+    const Vec3<D> local = reflect(-viewer, visible_normal<R>(viewer, alpha, at));
+    const Vec3<D> d = as<D>(base.t * local.x + base.b * local.y + n * local.z);
+    return {d, ggx_weight(local.z, viewer.z, alpha), Mask<R>(local.z > D(0))};
+}
+
+template <class R>
+ZERKALO_INLINE LobeRay<R> select(Mask<R> mask, const LobeRay<R>& a, const LobeRay<R>& b) {
+    return {select(mask, a.d, b.d), select(mask, a.weight, b.weight), select(mask, a.above, b.above)};
 }
 
 /// What identifies a camera path: its pixel, the camera sample, its lattice's turn and, in fixed point, the two bits of
@@ -120,18 +139,27 @@ ZERKALO_INLINE Share<Uniform<R>> first_exponent(const LobeJob<R>& job, Mask<R> a
     return with_fraction<Share<R>::kFraction>(lane_of(job.inverse_exponent.raw, lane));
 }
 
+/// Where in the lobe ray s of a path goes.
+template <class R>
+ZERKALO_INLINE SetPoint<R> place_of_ray(const PlanHead& plan, const PathKey<R>& key, std::int32_t s) {
+    SetPoint<R> at;
+    if (is_keyed(plan.sampling.estimator)) {
+        const auto index = Bits<R>(static_cast<std::uint32_t>(s));
+        at = set_point<R>(plan.sampling.estimator, index, plan.samples, key.set);
+    } else {
+        at = {share_point<R>(plan.sampling, s, plan.samples), Phase<R>(phase_of_sample<R>(s))};
+    }
+    at.turn = at.turn + key.turn;
+    return at;
+}
+
 /// Ray s of the job, in the lobe's frame.
 template <class R>
 ZERKALO_INLINE LobePoint<R> point_of_job(const PlanFor<R>& plan, LobeRows<R>& rows, const LobeJob<R>& job,
                                          const PathKey<R>& key, std::int32_t s, Mask<R> active) {
-    if (is_keyed(plan.sampling.estimator)) {
-        const auto index = Bits<R>(static_cast<std::uint32_t>(s));
-        const SetPoint<R> at = set_point<R>(plan.sampling.estimator, index, plan.samples, key.set);
-        return lobe_point(at.u, Phase<R>(at.turn + key.turn), job.inverse_exponent);
-    }
     if constexpr (Formats<R>::kFixed) {
         const auto exponent = first_exponent<R>(job, active);
-        if (none(active & (job.inverse_exponent != exponent))) {
+        if (!is_keyed(plan.sampling.estimator) && none(active & (job.inverse_exponent != exponent))) {
             auto& row = rows.rows[s % kChunk];
             if (row.sample != s || row.camera_sample != key.camera_sample || row.inverse_exponent != exponent) {
                 fill_row<R>(row, plan, s, key.camera_sample, exponent);
@@ -144,8 +172,8 @@ ZERKALO_INLINE LobePoint<R> point_of_job(const PlanFor<R>& plan, LobeRows<R>& ro
             return {of_class(row.side), of_class(row.up), row.forward};
         }
     }
-    return lobe_point(share_point<R>(plan.sampling, s, plan.samples), Phase<R>(phase_of_sample<R>(s)) + key.turn,
-                      job.inverse_exponent);
+    const SetPoint<R> at = place_of_ray<R>(plan, key, s);
+    return lobe_point(at.u, at.turn, job.inverse_exponent);
 }
 
 /// Lanes whose lobe, the cone about m that holds all its rays, can come near the solid's bounding ball: the ball's signed
@@ -187,7 +215,7 @@ ZERKALO_INLINE Mask<R> lanes_with_rays(const PlanFor<R>& plan, const LobeFor<R>&
             reached = reached | here;
         }
         // What the rays of max-Phong weigh depends on the pixel.
-        if (!alone || lobe.max_phong) return front;
+        if (!alone || lobe.max_phong || lobe.ggx) return front;
         const auto empty = front & (!reached);
         if (any(empty)) {
             const Rgb<LightSum<R>> light = throughput * spread<Radiance<R>>(plan.background);
@@ -203,12 +231,12 @@ ZERKALO_INLINE Mask<R> lanes_with_rays(const PlanFor<R>& plan, const LobeFor<R>&
 template <class R>
 ZERKALO_INLINE void aim_job(const PlanFor<R>& plan, const LobeStart<R>& start, LobeJob<R>& job, Vec3<Length<R>> p,
                             Vec3<Direction<R>> m, CandidateMask candidates) {
-    job.n = start.n, job.inverse_exponent = start.inverse_exponent, job.max_phong = start.max_phong;
+    static_cast<LobeStart<R>&>(job) = start;
     job.base = tangents_of(m);
     job.target_count = job.missed = 0;
     if constexpr (Formats<R>::kFixed) {
         using L = Length<R>;
-        if (plan.exact_plan || mirrors_in(candidates) != 0 || any(job.max_phong)) return;
+        if (plan.exact_plan || mirrors_in(candidates) != 0 || any(job.max_phong | job.ggx)) return;
         if (__builtin_popcountll(candidates) > kMostTargets) return;
         for (CandidateMask left = candidates; left != 0; left &= left - 1) {
             LobeTarget<R>& target = job.targets[job.target_count++];

@@ -39,11 +39,12 @@ enum Feature : std::uint32_t {
     kFeatureFresnel = 1u << 15,  // a transparent solid that reflects by Fresnel's equations
     kFeatureFlush = 1u << 16,    // a solid's face lies in the plane of a mirror and looks to the camera's side
     kFeatureCoverage = 1u << 17,  // how much of a lobe the solids cover is integrated, not sampled
+    kFeatureGgx = 1u << 18,       // a rough mirror of microfacets
 };
 
 /// What only the general kernel does.
 constexpr std::uint32_t kNeedsGeneral = kFeatureChain | kFeatureBranch | kFeatureCurved | kFeatureMesh | kFeatureFar |
-                                        kFeatureInside | kFeatureFlush;
+                                        kFeatureInside | kFeatureFlush | kFeatureGgx;
 
 constexpr std::int32_t kScouts = 32;  // rays that look which solids hide each other from a tile of mirror pixels
 

@@ -163,6 +163,7 @@ void derive_features(const Scene& scene, const Constants<F>& to, PlanOf<F>& plan
         plan.features |= kFeatureMirror;
         if (mirror.lobe.glossy) plan.features |= kFeatureGlossy;
         if (mirror.lobe.glossy && mirror.lobe.max_phong) plan.features |= kFeatureMaxPhong;
+        if (mirror.lobe.glossy && mirror.lobe.ggx) plan.features |= kFeatureGgx;
     }
     if (plan.camera.stands_on >= 0 || near_or_inside(plan, to, scene.camera.position)) plan.features |= kFeatureInside;
     for (std::int32_t j = 0; j < plan.light_count; ++j) {

@@ -168,26 +168,25 @@ ZERKALO_INLINE void shade_solids(const PlanFor<R>& plan, const PathPacket<R>& ra
 
 /// A single random ray of a lobe, for unpolished mirrors behind the first: uniform in energy, from the path's key.
 template <class R>
-ZERKALO_INLINE LobePoint<R> random_lobe_point(const Sampling& sampling, const LobeFor<R>& lobe, const PathKey<R>& key,
-                                              const PathPacket<R>& ray) {
+ZERKALO_INLINE SetPoint<R> random_place(const Sampling& sampling, const PathKey<R>& key, const PathPacket<R>& ray) {
     const std::uint32_t place =
         sampling.turn ^ hash_bits(key.camera_sample) ^
         hash_bits(static_cast<std::uint32_t>(ray.sample) + 0x10000000u * static_cast<std::uint32_t>(ray.depth));
     const Bits<R> one = hash_bits(key.pixel ^ Bits<R>(place));
     const Bits<R> two = hash_bits(one + Bits<R>(kGoldenTurn));
-    return lobe_point(fraction_of_bits<R>(one), phase_of<R>(two), Share<R>(lobe.inverse_exponent));
+    return {fraction_of_bits<R>(one), phase_of<R>(two)};
 }
 
-/// Sends lobe rays on; those below the horizon see the background (phong) or nothing (max-Phong).
+/// Sends lobe rays on; those below the horizon see the background (phong) or nothing (the others: `dark`).
 template <class R>
-ZERKALO_INLINE void go_on_in_lobe(const PlanFor<R>& plan, const LobeRay<R>& lobe_ray, Mask<R> max_phong,
-                                  Mask<R> mask, Vec3<Length<R>> p, Rgb<Weight<R>> throughput, Index<R> id,
+ZERKALO_INLINE void go_on_in_lobe(const PlanFor<R>& plan, const LobeRay<R>& lobe_ray, Mask<R> dark, Mask<R> mask,
+                                  Vec3<Length<R>> p, Rgb<Weight<R>> throughput, Index<R> id,
                                   PathPacket<R>& next, Rgb<LightSum<R>>& sum, TileCounts& counts) {
     counts.lobe += count_of(mask);
-    const auto below = mask & (!lobe_ray.above) & (!max_phong);
+    const auto below = mask & (!lobe_ray.above) & (!dark);
     if (any(below)) add<R>(sum, below, throughput, spread<Radiance<R>>(plan.background));
     // Else the weight is 1.
-    if (any(max_phong)) throughput = as<Weight<R>>(scaled(throughput, lobe_ray.weight));
+    if (any(dark)) throughput = as<Weight<R>>(scaled(throughput, lobe_ray.weight));
     go_on<R>(next, mask & lobe_ray.above, p, lobe_ray.d, throughput,
              Departure<R>{id, Index<R>(0), mask_of<R>(false)});
 }
@@ -202,14 +201,16 @@ ZERKALO_INLINE void continue_at_mirror(const PlanFor<R>& plan, const PathPacket<
     const LobeFor<R>& lobe = mirror.lobe;
     const Rgb<W> throughput = as<W>(ray.throughput * spread<W>(mirror.reflectance));
     const Vec3<Direction<R>> d = mirror.curved ? unit_again(reflect(ray.d, n)) : reflect(ray.d, n);
-    const Mask<R> max_phong = mask_of<R>(lobe.max_phong != 0);
+    const Mask<R> max_phong = mask_of<R>(lobe.max_phong != 0), ggx = mask_of<R>(lobe.ggx != 0);
     if (!lobe.glossy) {
         counts.reflected += count_of(front);
         go_on<R>(next.one, front, p, d, throughput, spot);
     } else if (ray.after_lobe) {
-        const LobePoint<R> point = random_lobe_point<R>(plan.sampling, lobe, key, ray);
-        const LobeRay<R> one = lobe_ray<R>(point, d, tangents_of(d), n, max_phong);
-        go_on_in_lobe<R>(plan, one, max_phong, front, p, throughput, spot.id, next.one, sum, counts);
+        const SetPoint<R> at = random_place<R>(plan.sampling, key, ray);
+        const LobePoint<R> point = lobe_point(at.u, at.turn, Share<R>(lobe.inverse_exponent));
+        const LobeRay<R> one = lobe.ggx ? ggx_ray<R>(at, d, n, Direction<R>(lobe.alpha))
+                                        : lobe_ray<R>(point, d, tangents_of(d), n, max_phong);
+        go_on_in_lobe<R>(plan, one, max_phong | ggx, front, p, throughput, spot.id, next.one, sum, counts);
     } else {
         const Rgb<W> part = as<W>(scaled(throughput, one_part_of<R>(plan.samples)));
         CandidateMask candidates;
@@ -220,6 +221,8 @@ ZERKALO_INLINE void continue_at_mirror(const PlanFor<R>& plan, const PathPacket<
         next.lobe.n = select(sending, n, next.lobe.n);
         next.lobe.inverse_exponent = select(sending, Share<R>(lobe.inverse_exponent), next.lobe.inverse_exponent);
         next.lobe.max_phong = select(sending, max_phong, next.lobe.max_phong);
+        next.lobe.alpha = select(sending, Direction<R>(lobe.alpha), next.lobe.alpha);
+        next.lobe.ggx = select(sending, ggx, next.lobe.ggx);
     }
 }
 

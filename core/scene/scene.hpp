@@ -89,7 +89,8 @@ struct Boundary {
 
 /// phong: the seed's lobe, directions below the horizon see the background.
 /// max_phong: the same density with weight min(1, cos_i / cos_o), nothing from below: reciprocal, albedo <= 1.
-enum class Lobe : std::uint8_t { phong, max_phong };
+/// ggx: microfacets of width alpha = (2 n + 1)^-1/2 (optics/ggx.hpp), nothing from below: reciprocal, albedo <= 1.
+enum class Lobe : std::uint8_t { phong, max_phong, ggx };
 
 /// A mirror's shininess when nothing else is said: that of its lobe; a sharp mirror then has no highlight.
 constexpr double kShininessOfLobe = -1;

@@ -204,7 +204,7 @@ Status check_mirror(const Mirror& mirror, std::int32_t index) {
         check.require(farthest_point(mirror.boundary) < radius, "curvature_radius",
                       "must be greater in size than the distance from the vertex to the boundary's farthest point");
     }
-    check.choice(mirror.lobe, Lobe::max_phong, "lobe");
+    check.choice(mirror.lobe, Lobe::ggx, "lobe");
     check.require(mirror.lobe_exponent >= 0, "lobe_exponent", "must be >= 0 (inf for a polished mirror)");
     check.share(mirror.color, "color");
     check.share(mirror.ambient, "ambient");

@@ -104,6 +104,10 @@ std::vector<BaseScene> all_small_scenes() {
     Scene& mesh = scenes.back().scene;
     add_tetrahedron(mesh, mesh.solids[0]);
     make_glass(mesh.solids[0].material);
+
+    scenes.push_back(
+        {"sphere, flat rough disc",
+         scene_with(solid_of(SolidKind::sphere, 1), mirror_of(BoundaryShape::disc, flat, Lobe::ggx, 30))});
     return scenes;
 }
 

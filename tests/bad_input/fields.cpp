@@ -95,7 +95,7 @@ void visit(Collector to, const Mirror& mirror) {
                  specular, shininess, reflection] = mirror;
     to.vector(position, "position"), to.vector(normal, "normal"), to.vector(up, "up");
     visit(to, boundary);
-    to.real(curvature_radius, "curvature_radius"), to.choice(lobe, "lobe", Lobe::max_phong);
+    to.real(curvature_radius, "curvature_radius"), to.choice(lobe, "lobe", Lobe::ggx);
     to.real(lobe_exponent, "lobe_exponent"), to.colour(color, "color"), to.real(ambient, "ambient");
     to.real(diffuse, "diffuse"), to.real(specular, "specular"), to.real(shininess, "shininess");
     to.real(reflection, "reflection");

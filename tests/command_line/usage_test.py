@@ -14,7 +14,7 @@ class Usage(CommandLineTest):
 
     def test_help_is_on_standard_output_everywhere(self):
         self.assertIn(b"Exit codes: 0 ok, 1", self.succeed("--help"))
-        for command in ("render", "compare", "show", "doctor", "bench"):
+        for command in ("render", "compare", "show", "doctor", "strip", "bench"):
             self.assertIn(command.encode(), self.succeed("--help"))
             text = self.succeed(command, "--help")
             self.assertTrue(text.splitlines()[1].startswith(f"Usage: zerkalo {command}".encode()), text)

@@ -61,6 +61,37 @@ TEST(ReferenceLobe, MaxPhongReturnsItsAlbedo) {
     }
 }
 
+/// Integral over the hemisphere of D(h) G2 / (4 cos_view), h half-way between viewer and light: midpoint rule.
+double ggx_albedo(double alpha, double angle) {
+    constexpr int kSteps = 1000;
+    const Vector viewer{std::sin(angle), 0, std::cos(angle)};
+    const auto lambda = [&](double cosine) {
+        return (std::sqrt(1 + alpha * alpha * (1 / (cosine * cosine) - 1)) - 1) / 2;
+    };
+    double sum = 0;
+    for (int i = 0; i < kSteps; ++i) {
+        const double cosine = (i + 0.5) / kSteps, sine = std::sqrt(1 - cosine * cosine);
+        for (int j = 0; j < kSteps; ++j) {
+            const double azimuth = 2 * kPi * (j + 0.5) / kSteps;
+            const Vector light{sine * std::cos(azimuth), sine * std::sin(azimuth), cosine};
+            const double facet = normalized(viewer + light).z;
+            const double base = 1 + (alpha * alpha - 1) * facet * facet;
+            const double density = alpha * alpha / (kPi * base * base);
+            sum += density / (4 * viewer.z * (1 + lambda(viewer.z) + lambda(cosine)));
+        }
+    }
+    return 2 * kPi * sum / (kSteps * static_cast<double>(kSteps));
+}
+
+TEST(ReferenceLobe, GgxReturnsItsAlbedo) {
+    for (const double alpha : {0.2, 0.5, 1.0}) {
+        Scene scene = glossy(Lobe::ggx, (1 / (alpha * alpha) - 1) / 2);
+        scene.background = {1, 1, 1};
+        for (const double angle : {0.0, 0.5, 1.0, 1.3})
+            EXPECT_NEAR(seen_at(scene, angle, 160000), ggx_albedo(alpha, angle), 3e-3) << alpha << " at " << angle;
+    }
+}
+
 TEST(ReferenceLobe, DirectionsAreUnitVectorsWithTheMomentsOfTheDensity) {
     const Vector ideal = normalized({0.2, -0.7, 0.4});
     for (const double n : {0.0, 1.0, 40.0, 1e6})

@@ -43,6 +43,8 @@ TEST(SceneFile, UnknownWordsAreErrorsWithTheNearestSuggestion) {
         {kHead + "[[light]]\nposition = [0, 0, 0]\nfalloff = ^'inverse square'\n", "unknown falloff",
          "\"inverse_square\"?"},
         {kHead + kFlat + "lobe = ^'maxphong'\n", "unknown lobe", "\"max_phong\"?"},
+        {kHead + kFlat + "lobe = ^'gxx'\n", "unknown lobe \"gxx\"", "\"ggx\"?"},
+        {kHead + kFlat + "lobe = ^'beckmann'\n", "unknown lobe", "it is one of: phong, max_phong, ggx"},
         {kHead + "[[mirror]]\nposition = [0, 0, 0]\nnormal = [0, 0, 1]\nboundary = { shape = ^'circle', radius = 1 }\n",
          "unknown shape \"circle\"", "rectangle, disc, ellipse, polygon"},
     };

@@ -111,6 +111,14 @@ Color Tracer::lobe_average(const Path& path, const Hit& hit, Random& random) con
     const unsigned count = path.glossy_before ? 1 : lobe_samples_;
     const double cos_view = -dot(path.ray.direction, hit.normal);
     Color sum;
+    if (m.lobe == Lobe::ggx) {
+        const double alpha = 1 / std::sqrt(2 * m.lobe_exponent + 1);
+        for (const auto& [w, weight] : ggx_directions(hit.normal, -path.ray.direction, alpha, count, random)) {
+            if (weight == 0) continue;
+            sum = sum + weight * trace({{hit.point, w}, hit.guard, path.depth + 1, true}, random);
+        }
+        return 1.0 / count * sum;
+    }
     for (const Vector& w : lobe_directions(ideal, m.lobe_exponent, count, random)) {
         const double cos_w = dot(w, hit.normal);
         if (cos_w <= 0) {

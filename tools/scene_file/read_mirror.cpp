@@ -11,7 +11,7 @@ namespace {
 constexpr std::array<std::string_view, 14> kKeys{
     "position", "normal", "up",      "boundary", "curvature_radius", "lobe",      "lobe_exponent",
     "polish",   "color",  "ambient", "diffuse",  "specular",         "shininess", "reflection"};
-constexpr std::array<std::string_view, 2> kLobes{"phong", "max_phong"};                        // in the order of Lobe
+constexpr std::array<std::string_view, 3> kLobes{"phong", "max_phong", "ggx"};                 // in the order of Lobe
 constexpr std::array<std::string_view, 4> kShapes{"rectangle", "disc", "ellipse", "polygon"};  // of BoundaryShape
 constexpr std::array<std::string_view, 5> kBoundaryKeys{"shape", "width", "height", "radius", "points"};
 constexpr std::array<std::string_view, 3> kSizedKeys{"shape", "width", "height"};

@@ -17,6 +17,7 @@ void add_show_command(CLI::App& app, Action& action);
 void add_doctor_command(CLI::App& app, Action& action);
 void add_stability_command(CLI::App& app, Action& action);
 void add_study_command(CLI::App& app, Action& action);
+void add_strip_command(CLI::App& app, Action& action);
 void add_bench_command(CLI::App& app, Action& action);
 
 }  // namespace zerkalo

@@ -21,6 +21,7 @@ void add_commands(CLI::App& app, Action& action) {
     add_show_command(app, action);
     add_doctor_command(app, action);
     add_stability_command(app, action);
+    add_strip_command(app, action);
     add_study_command(app, action);
 #ifdef ZERKALO_BENCH
     add_bench_command(app, action);

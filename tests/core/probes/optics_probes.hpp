@@ -3,6 +3,7 @@
 
 #include "core/optics/directions.hpp"
 #include "core/optics/fresnel.hpp"
+#include "core/optics/ggx.hpp"
 #include "core/optics/point_sets.hpp"
 #include "core/optics/whitted.hpp"
 #include "tests/core/probes/shape_probes.hpp"
@@ -86,6 +87,25 @@ void probe_set(Estimator rule, std::int32_t points, std::uint32_t key, std::uint
 }
 
 template <class R>
+void probe_ggx(const float* u, const float* turn, float alpha, const float* viewer, const probes::PointsOut& out,
+               float* weight, int count) {
+    const Vec3<R> v{R(viewer[0]), R(viewer[1]), R(viewer[2])};
+    for (int k = 0; k < count; k += kWidth<R>) {
+        const SetPoint<R> at{load<R>(u + k), load<R>(turn + k)};
+        const Vec3<R> d = reflect(-v, visible_normal<R>(v, R(alpha), at));
+        store_point<R>(out, k, d);
+        store(weight + k, ggx_weight(d.z, v.z, R(alpha)));
+    }
+}
+
+template <class R>
+void probe_ggx_weight(const float* cosine, float cosine_out, float alpha, float* out, int count) {
+    for (int k = 0; k < count; k += kWidth<R>) {
+        store(out + k, ggx_weight(load<R>(cosine + k), R(cosine_out), R(alpha)));
+    }
+}
+
+template <class R>
 void probe_weight(const float* cosine, float inverse_cosine_out, float* out, int count) {
     for (int k = 0; k < count; k += kWidth<R>) store(out + k, lobe_weight(load<R>(cosine + k), R(inverse_cosine_out)));
 }
@@ -107,7 +127,8 @@ void probe_light(const LightData& light, const SurfaceData& surface, const probe
 template <class R>
 constexpr probes::OpticsProbes optics_probes() {
     return {&probe_reflect<R>, &probe_mirror_direction<R>, &probe_refract<R>, &probe_fresnel<R>, &probe_tangents<R>,
-            &probe_lobe<R>,    &probe_lattice<R>,          &probe_set<R>,     &probe_weight<R>,  &probe_light<R>};
+            &probe_lobe<R>,    &probe_lattice<R>,          &probe_set<R>,     &probe_ggx<R>,     &probe_ggx_weight<R>,
+            &probe_weight<R>,  &probe_light<R>};
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

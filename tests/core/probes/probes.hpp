@@ -99,6 +99,10 @@ struct OpticsProbes {
     /// The first `count` points, or more, of a keyed rule's set of `points`.
     void (*set)(Estimator rule, std::int32_t points, std::uint32_t key, std::uint32_t half, float* u, float* turn,
                 int count);
+    /// `viewer`: x, y, z in the mirror's frame; so are the rays.
+    void (*ggx)(const float* u, const float* turn, float alpha, const float* viewer, const PointsOut& out,
+                float* weight, int count);
+    void (*ggx_weight)(const float* cosine, float cosine_out, float alpha, float* out, int count);
     void (*weight)(const float* cosine, float inverse_cosine_out, float* out, int count);
     void (*light)(const LightData& light, const SurfaceData& surface, const Rays& seen_from, Points n,
                   const PointsOut& rgb);  // rays: o the surface point, d the unit way to the viewer

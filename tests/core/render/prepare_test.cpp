@@ -179,6 +179,8 @@ TEST(Features, NameWhatEachMirrorNeeds) {
     EXPECT_EQ(features_of(*scene), (Names{"mirror", "glossy", "max_phong"}));
     mirror.lobe = Lobe::phong;
     EXPECT_EQ(features_of(*scene), (Names{"mirror", "glossy"}));
+    mirror.lobe = Lobe::ggx;
+    EXPECT_EQ(features_of(*scene), (Names{"mirror", "glossy", "ggx"}));
     mirror.reflection = 0;
     EXPECT_EQ(features_of(*scene), Names{});
     mirror = Mirror{};
