@@ -12,7 +12,7 @@ import unittest
 from program import CommandLineTest, PROGRAM, SCENE
 
 SMALL = {"--size": "24x18", "--samples": "1,4,16", "--estimators": "random,fibonacci", "--numbers": "float,fixed",
-         "--rotations": "4", "--reference-samples": "1024", "--reference-tolerance": "0.05"}
+         "--errors": "0.02", "--rotations": "4", "--reference-samples": "1024", "--reference-tolerance": "0.05"}
 MEASURED = ("isa", "lanes", "threads", "repetitions", "seconds", "seconds_low", "seconds_high")
 FLOAT = ("--numbers", "float")
 
@@ -43,6 +43,9 @@ class Study(CommandLineTest):
     def test_every_setting_has_a_row(self):
         self.succeed(*self.study("d"))
         rows = self.rows("d")
+        asked = [(r["number"], r["estimator"], r["samples"]) for r in rows if float(r["asked_error"]) > 0]
+        self.assertEqual(asked, [("float", "fibonacci", "0")])
+        rows = [r for r in rows if float(r["asked_error"]) == 0]
         self.assertEqual([(r["number"], r["estimator"], r["samples"]) for r in rows],
                          [(n, e, s) for n in ("float", "fixed") for e in ("random", "fibonacci")
                           for s in ("1", "4", "16")])
@@ -60,6 +63,8 @@ class Study(CommandLineTest):
     def test_more_samples_mean_less_error(self):
         self.succeed(*self.study("d", *FLOAT))
         errors = [float(r["rmse_mean_mirror"]) for r in self.rows("d") if r["estimator"] == "fibonacci"]
+        asked = [float(r["rmse_mean_picture"]) for r in self.rows("d") if float(r["asked_error"]) > 0]
+        self.assertLess(asked[0], 0.02)
         self.assertLess(errors[1], errors[0] / 1.5)
         self.assertLess(errors[2], errors[1] / 1.5)
 
@@ -110,7 +115,7 @@ class Study(CommandLineTest):
         session.send_signal(signal.SIGINT)
         message = session.communicate()[1].decode()
         self.assertEqual(session.returncode, 130, message)
-        self.assertRegex(message, r"\Azerkalo: error: interrupted; \d+ of 32 rows are in .*\n\Z")
+        self.assertRegex(message, r"\Azerkalo: error: interrupted; \d+ of 33 rows are in .*\n\Z")
         self.assertGreater(journal.read_bytes().count(b"\n"), 2)
         self.assertEqual(journal.read_bytes()[-1:], b"\n")
 
@@ -211,7 +216,7 @@ class StudyFailure(CommandLineTest):
         for k in (1, 2):
             self.succeed("study", *self.small(f"part{k}", "--shard", f"{k}/2"))
         parts = [self.path("part1"), self.path("part2")]
-        self.refuse(1, "--join", parts[0], "-o", self.path("d"), says=["3 of 6 rows are in none", "scene/float/"])
+        self.refuse(1, "--join", parts[0], "-o", self.path("d"), says=["3 of 7 rows are in none", "scene/float/"])
         self.succeed("study", *self.small("other", "--size", "20x20", "--shard", "2/2"))
         self.refuse(2, "--join", parts[0], self.path("other"), "-o", self.path("d"), says=["different plans", "size"])
         self.refuse(1, "--join", parts[0], self.path("nothing"), "-o", self.path("d"), says=[self.path("nothing")])

@@ -37,7 +37,7 @@ const char* colour_of(const std::string& estimator) {
 }
 
 std::string title_of(const Series& series) {
-    const std::string title = series.estimator + ", " + series.number;
+    const std::string title = series.estimator + (series.asked ? " --error, " : ", ") + series.number;
     return series.antialias == 1 ? title : title + ", antialias " + std::to_string(series.antialias);
 }
 
@@ -58,6 +58,7 @@ Chart cost_chart(const std::vector<Series>& all, const std::vector<const Row*>& 
     for (const Row* row : rows) chart.zone = std::max(chart.zone, row->of(Region::mirror).zone);
     for (const Series& series : all) {
         Curve curve{title_of(series), style_of(series.number, colour_of(series.estimator)), {}};
+        if (series.asked) curve.style = format("with points lc rgb '%s' pt 3 ps 1.5", colour_of(series.estimator));
         for (const Row* row : series.rows) {
             if (row->resolved()) add_point(curve, mirror_error(*row), cost(*row));
         }
@@ -87,7 +88,7 @@ Chart split_chart(const std::vector<Series>& all, const std::string& estimator) 
         chart.curves.push_back(std::move(curve));
     };
     for (const Series& series : all) {
-        if (series.estimator != estimator || series.antialias != all.front().antialias) continue;
+        if (series.estimator != estimator || series.antialias != all.front().antialias || series.asked) continue;
         const std::string of = ", " + series.number;
         add(series, "total" + of, "#000000", [](const RegionErrors& e) { return e.total.rmse; });
         add(series, "quadrature" + of, "#377eb8", [](const RegionErrors& e) { return e.quadrature; });

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace zerkalo::study {
 namespace {
@@ -22,6 +24,11 @@ std::vector<const Row*> float_rows(const std::vector<Row>& rows, const std::stri
     std::vector<const Row*> of_scene = rows_of_scene(rows, scene);
     std::erase_if(of_scene, [&](const Row* row) { return row->number != "float" || row->antialias != 1; });
     return of_scene;
+}
+
+std::vector<const Row*> without_asked(std::vector<const Row*> rows) {
+    std::erase_if(rows, [](const Row* row) { return row->asked_error > 0; });
+    return rows;
 }
 
 const Row* row_with(const std::vector<const Row*>& rows, const std::string& estimator, std::int64_t samples) {
@@ -97,6 +104,39 @@ Goal slope_goal(const std::vector<const Row*>& rows, const std::string& scene, R
     return goal;
 }
 
+// Of one scene: time to the error that was asked for, in times of the best setting of equal samples that reaches it.
+// Infinite where the error was not reached; nothing without such rows.
+std::optional<double> asked_ratio(const std::vector<const Row*>& rows, double error) {
+    const std::vector<const Row*> fixed = without_asked(rows);
+    const Row *best = cheapest(fixed, Region::picture, error), *asked = nullptr;
+    bool there = false;
+    for (const Row* row : rows) {
+        if (row->asked_error != error) continue;
+        there = true;
+        if (error_in(*row, Region::picture) > error) continue;
+        if (!asked || row->seconds.value < asked->seconds.value) asked = row;
+    }
+    if (!there || !best) return std::nullopt;
+    return asked ? asked->seconds.value / best->seconds.value : std::numeric_limits<double>::infinity();
+}
+
+std::optional<Goal> asked_goal(const std::vector<Row>& rows) {
+    constexpr double kError = 0.002, kMost = 1.3;
+    std::string missed;
+    std::vector<double> ratios;
+    for (const std::string& scene : scenes_of(rows)) {
+        const auto ratio = asked_ratio(float_rows(rows, scene), kError);
+        if (!ratio) continue;
+        ratios.push_back(*ratio);
+        if (*ratio > kMost) missed += (missed.empty() ? "; more on " : ", ") + scene;
+    }
+    if (ratios.empty()) return std::nullopt;
+    const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
+    return Goal{
+        format("--error %g in at most %g times the time of the best equal samples, whole picture", kError, kMost),
+        format("%.2f to %.2f times on %zu scenes", *least, *most, ratios.size()) + missed, missed.empty()};
+}
+
 }  // namespace
 
 double srgb_steps(const Row& row) { return 255 * std::pow(10, -row.of(Region::mirror).total.psnr / 20); }
@@ -109,7 +149,7 @@ double lobe_rays_a_pixel(const Row& row) {
 std::vector<Goal> goals_of(const std::vector<Row>& rows) {
     std::vector<Goal> goals;
     for (const std::string& scene : scenes_of(rows)) {
-        const std::vector<const Row*> of_scene = float_rows(rows, scene);
+        const std::vector<const Row*> of_scene = without_asked(float_rows(rows, scene));
         const bool polyhedron = scene == "prism@1000" || scene == "pyramid@1000";
         if (scene == "sphere@1000") goals.push_back(rays_goal(of_scene, scene, 4));
         if (polyhedron) goals.push_back(rays_goal(of_scene, scene, 2));
@@ -121,6 +161,7 @@ std::vector<Goal> goals_of(const std::vector<Row>& rows) {
             goals.push_back(slope_goal(of_scene, scene, Region::smooth, -1.5));
         }
     }
+    if (const auto goal = asked_goal(rows)) goals.push_back(*goal);
     return goals;
 }
 

@@ -1,5 +1,7 @@
 #include "tools/study/light_picture.hpp"
 
+#include "tools/zerkalo/refine.hpp"
+
 namespace zerkalo::study {
 
 LightPicture light_of(const LinearImage& image) {
@@ -18,6 +20,16 @@ LightPicture rendered(const Renderer& renderer, const Scene& scene, const Settin
     const Frame frame = prepare_frame(scene, settings, renderer.isa, renderer.threads, number);
     const FrameCost cost = render_frame(frame, 1, false);
     if (rays) *rays = cost.rays;
+    return light_of(frame.image);
+}
+
+LightPicture rendered_to_error(const Renderer& renderer, const Scene& scene, const Settings& settings, double error,
+                               RayCounts* rays) {
+    if (renderer.stopped && renderer.stopped->load(std::memory_order_relaxed)) throw Interrupted();
+    const Frame frame = prepare_frame(scene, settings, renderer.isa, renderer.threads, Number::floating);
+    const std::atomic<bool> never{false};
+    const Refined refined = refine_to_error(frame, error, never, false);
+    if (rays) *rays = refined.cost.rays;
     return light_of(frame.image);
 }
 

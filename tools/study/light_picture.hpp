@@ -29,6 +29,10 @@ struct Interrupted : std::exception {};
 LightPicture rendered(const Renderer& renderer, const Scene& scene, const Settings& settings, Number number,
                       RayCounts* rays = nullptr);
 
+/// The picture whose estimated error is `error`, as `render --error` makes it, in float. Throws as rendered() does.
+LightPicture rendered_to_error(const Renderer& renderer, const Scene& scene, const Settings& settings, double error,
+                               RayCounts* rays = nullptr);
+
 /// The same rays in double: the picture without the errors of arithmetic, rounded to float once. Throws as rendered()
 /// does.
 LightPicture rendered_exactly(const Renderer& renderer, const Scene& scene, const Settings& settings);

@@ -93,7 +93,7 @@ std::string text_of(const StudyPlan& plan) {
     text += "numbers " + joined(wish.numbers, [](Number number) { return name_of(number); }) + "\n";
     text += "estimators " + joined(wish.estimators, [](Estimator e) { return zerkalo::name_of(e); }) + "\n";
     text += "samples " + joined(wish.samples, whole) + "\nfixed_samples " + joined(wish.fixed_samples, whole) + "\n";
-    text += "antialias " + joined(wish.antialias, whole) + "\n";
+    text += "antialias " + joined(wish.antialias, whole) + "\nerrors " + joined(wish.errors, csv_number) + "\n";
     text += format("rotations %d\nreference_samples %d\n", wish.rotations, wish.reference_samples);
     for (const PlannedScene& scene : plan.scenes) {
         text += "scene " + csv_cell(scene.name) + " " + mark_of(scene, wish.size) + "\n";
@@ -103,13 +103,19 @@ std::string text_of(const StudyPlan& plan) {
     return text;
 }
 
+bool is_lattice(Estimator estimator) {
+    return estimator == Estimator::fibonacci || estimator == Estimator::fibonacci_coverage;
+}
+
 void add_rows(StudyPlan& plan, int scene, Number number) {
     const Wish& wish = plan.wish;
     for (const Estimator estimator : wish.estimators) {
         for (const std::int32_t antialias : wish.antialias) {
             for (const std::int32_t samples : number == Number::fixed ? wish.fixed_samples : wish.samples) {
-                plan.rows.push_back({scene, number, estimator, samples, antialias});
+                plan.rows.push_back({scene, number, estimator, samples, antialias, 0});
             }
+            if (number != Number::floating || !is_lattice(estimator)) continue;
+            for (const double error : wish.errors) plan.rows.push_back({scene, number, estimator, 0, antialias, error});
         }
     }
 }
@@ -120,6 +126,7 @@ Wish wish_for(const ImageSize& size) {
     for (int i = 0; i < kEstimatorCount; ++i) wish.estimators.push_back(static_cast<Estimator>(i));
     wish.numbers = {Number::floating, Number::fixed};
     wish.antialias = {1};
+    wish.errors = {0.002};
     return wish;
 }
 
@@ -147,6 +154,7 @@ std::string key_of(const StudyPlan& plan, const Setting& setting) {
     row.estimator = zerkalo::name_of(setting.estimator);
     row.antialias = setting.antialias;
     row.samples = setting.samples;
+    row.asked_error = setting.asked_error;
     return key_of(row);
 }
 

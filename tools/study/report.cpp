@@ -25,6 +25,7 @@ std::vector<const Row*> of_number(std::vector<const Row*> rows, const std::strin
 
 std::string setting_text(const Row& row) {
     const std::string antialias = row.antialias == 1 ? "" : format(", antialias %d", static_cast<int>(row.antialias));
+    if (row.asked_error > 0) return format("%s --error %g", row.estimator.c_str(), row.asked_error) + antialias;
     return format("%s %lld%s", row.estimator.c_str(), static_cast<long long>(row.samples), antialias.c_str());
 }
 
@@ -88,6 +89,7 @@ std::string slopes_text(const std::vector<Row>& rows) {
                        " on, with 95 % intervals; `-` where fewer than three settings are resolved.\n\n"
                        "| scene | estimator | numbers | mirror | edges | smooth |\n|---|---|---|---|---|---|\n";
     for (const Series& series : series_of(rows)) {
+        if (series.asked) continue;
         text += "| " + series.scene + " | " + series.estimator + " | " + series.number + " |";
         for (const Region region : {Region::mirror, Region::edges, Region::smooth}) {
             text += slope_cell(series.slope(region));

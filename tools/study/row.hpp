@@ -25,6 +25,7 @@ struct RegionErrors {
 struct Row {
     std::string scene, lobe, number, estimator;
     double lobe_exponent = 0;
+    double asked_error = 0;  // above 0: rendered until the picture's estimated error was that; then samples is 0
     std::int64_t samples = 0, antialias = 0, width = 0, height = 0, rotations = 0;
     RayCounts rays;
     std::array<RegionErrors, kRegionCount> regions;
@@ -45,7 +46,7 @@ template <class RowType, class Visit>
 void visit_exact(RowType& row, const Visit& visit) {
     visit("scene", row.scene), visit("lobe", row.lobe), visit("lobe_exponent", row.lobe_exponent);
     visit("number", row.number), visit("estimator", row.estimator);
-    visit("samples", row.samples), visit("antialias", row.antialias);
+    visit("samples", row.samples), visit("antialias", row.antialias), visit("asked_error", row.asked_error);
     visit("width", row.width), visit("height", row.height), visit("rotations", row.rotations);
     visit("rays_primary", row.rays.primary), visit("rays_reflected", row.rays.reflected);
     visit("rays_lobe", row.rays.lobe), visit("rays_refracted", row.rays.refracted);
@@ -75,7 +76,7 @@ void visit_measured(RowType& row, const Visit& visit) {
     visit("seconds_low", row.seconds.low), visit("seconds_high", row.seconds.high);
 }
 
-/// What tells rows of one plan apart: scene, number, estimator, samples, antialias.
+/// What tells rows of one plan apart: scene, number, estimator, antialias, samples or the error asked for.
 std::string key_of(const Row& row);
 
 }  // namespace zerkalo::study

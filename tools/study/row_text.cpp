@@ -38,7 +38,7 @@ struct CellJoiner {
 
 std::string key_of(const Row& row) {
     return row.scene + "/" + row.number + "/" + row.estimator + "/" + std::to_string(row.antialias) + "/" +
-           std::to_string(row.samples);
+           (row.asked_error > 0 ? "error " + csv_number(row.asked_error) : std::to_string(row.samples));
 }
 
 std::string csv_cell(std::string_view text) {

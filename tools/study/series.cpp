@@ -7,7 +7,7 @@ namespace {
 
 bool belongs(const Series& series, const Row& row) {
     return series.scene == row.scene && series.number == row.number && series.estimator == row.estimator &&
-           series.antialias == row.antialias;
+           series.antialias == row.antialias && series.asked == (row.asked_error > 0);
 }
 
 Estimate slope_of(const Series& series, Region region) {
@@ -34,7 +34,7 @@ std::vector<Series> series_of(const std::vector<const Row*>& rows) {
     for (const Row* row : rows) {
         auto place = std::find_if(all.begin(), all.end(), [&](const Series& s) { return belongs(s, *row); });
         if (place == all.end()) {
-            all.push_back({row->scene, row->number, row->estimator, row->antialias, {}, {}});
+            all.push_back({row->scene, row->number, row->estimator, row->antialias, row->asked_error > 0, {}, {}});
             place = all.end() - 1;
         }
         place->rows.push_back(row);

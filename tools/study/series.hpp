@@ -13,6 +13,7 @@ constexpr std::int64_t kFirstFittedSamples = 4;
 struct Series {
     std::string scene, number, estimator;
     std::int64_t antialias = 1;
+    bool asked = false;                           // rows of `render --error`
     std::vector<const Row*> rows;                 // by rising samples
     std::array<Estimate, kRegionCount> slopes{};  // d log(mean RMSE) / d log(samples); NaN with fewer than three rows
 

@@ -12,6 +12,8 @@ struct Setting {
     Estimator estimator = Estimator::fibonacci;
     std::int32_t samples = 1;
     std::int32_t antialias = 1;
+    double asked_error =
+        0;  // above 0: as many samples as reach it, tile by tile (`render --error`), and `samples` is 0
 };
 
 /// For the renderer. `rotation` is one of the equally good placements of the lobe rays.
@@ -19,7 +21,7 @@ inline Settings settings_of(const Setting& setting, const ImageSize& size, std::
     Settings settings;
     settings.width = size.width;
     settings.height = size.height;
-    settings.samples = setting.samples;
+    if (setting.samples > 0) settings.samples = setting.samples;
     settings.antialias = setting.antialias;
     settings.estimator = setting.estimator;
     settings.rotation = rotation;

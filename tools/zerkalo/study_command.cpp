@@ -23,6 +23,7 @@ struct CommandOptions {
     Settings size;
     std::vector<std::string> estimators, numbers;
     std::vector<std::int32_t> samples, antialias;
+    std::vector<double> errors;
     std::int32_t rotations = 0, reference_samples = 0;
     std::string shard = "1/1";
     std::optional<Isa> isa;
@@ -47,6 +48,7 @@ Wish wish_of(const CommandOptions& options) {
     if (options.size.width > 0) wish.size = {options.size.width, options.size.height};
     if (!options.samples.empty()) wish.samples = wish.fixed_samples = without_repeats(options.samples);
     if (!options.antialias.empty()) wish.antialias = without_repeats(options.antialias);
+    if (!options.errors.empty()) wish.errors = without_repeats(options.errors);
     if (options.rotations > 0) wish.rotations = options.rotations;
     if (options.reference_samples > 0) wish.reference_samples = options.reference_samples;
     if (!options.estimators.empty()) wish.estimators.clear();
@@ -92,6 +94,7 @@ void add_plan_options(CLI::App& command, CommandOptions& options) {
     };
     list("--samples", options.samples, whole_number(1, kMaxSamples), "Lobe rays per hit, for example 1,4,16");
     list("--antialias", options.antialias, whole_number(1, kMaxAntialias), "Camera rays per pixel, default 1");
+    list("--errors", options.errors, positive_number(), "RMSE to be reached by render --error, default 0.002");
     list("--estimators", options.estimators, one_of(estimator_names()), "How lobe rays are placed, default: all");
     list("--numbers", options.numbers, one_of({"float", "fixed"}), "Number types, default: float,fixed");
     command.add_option("--rotations", options.rotations, "Placements of the lobe rays whose errors are averaged")
