@@ -19,7 +19,8 @@ constexpr bool kCheckedFixed = true;
 constexpr bool kCheckedFixed = false;
 #endif
 
-/// Says on the standard error stream which operation lost digits, and aborts. Exists in checked builds alone.
+/// Says on the standard error stream which operation lost digits, and aborts (tools/digits_lost.cpp). Exists in checked
+/// builds alone.
 [[noreturn]] void digits_lost(const char* operation);
 
 /// a + b of one type.

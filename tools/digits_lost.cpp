@@ -1,4 +1,5 @@
-// What ends a checked build: see checked.hpp. The only file of the core that speaks, and part of no other build.
+// What a checked build of fixed point does where a digit is lost: see core/numeric/checked.hpp. Host programs alone have
+// a standard error stream to say it on; no other build has this file.
 #include "core/numeric/checked.hpp"
 
 #include <cstdio>
