@@ -18,6 +18,7 @@ namespace {
 
 constexpr const char* kPlanVersion = "zerkalo study plan 1";
 const std::string kRowWord = "row ";
+constexpr const char* kLobeNames[] = {"phong", "max_phong", "ggx"};  // in the order of Lobe
 
 struct SceneSpec {
     std::string path, name;
@@ -52,7 +53,7 @@ PlannedScene planned_scene(const std::string& word) {
         if (!std::isfinite(mirror.lobe_exponent)) continue;
         if (spec.exponent) mirror.lobe_exponent = *spec.exponent;
         if (!planned.lobe.empty()) continue;
-        planned.lobe = mirror.lobe == Lobe::phong ? "phong" : "max_phong";
+        planned.lobe = kLobeNames[static_cast<int>(mirror.lobe)];
         planned.lobe_exponent = mirror.lobe_exponent;
     }
     if (planned.lobe.empty()) {
@@ -69,10 +70,12 @@ std::string mark_of(const PlannedScene& planned, const ImageSize& size) {
     return format("%016llx", static_cast<unsigned long long>(hash_of(frame.image)));
 }
 
-// Why the renderer cannot do this scene in this number system; empty when it can.
-std::string refusal_of(const PlannedScene& planned, const ImageSize& size, Number number) {
+// Why the renderer cannot do this scene in this way; empty when it can.
+std::string refusal_of(const PlannedScene& planned, const ImageSize& size, Number number, Estimator estimator) {
+    Setting setting;
+    setting.estimator = estimator;
     try {
-        prepare_frame(*planned.scene, settings_of({}, size, 0), Isa::scalar, 1, number);
+        prepare_frame(*planned.scene, settings_of(setting, size, 0), Isa::scalar, 1, number);
         return "";
     } catch (const Failure& refusal) {
         return refusal.what();
@@ -109,7 +112,14 @@ bool is_lattice(Estimator estimator) {
 
 void add_rows(StudyPlan& plan, int scene, Number number) {
     const Wish& wish = plan.wish;
+    const PlannedScene& planned = plan.scenes[static_cast<std::size_t>(scene)];
     for (const Estimator estimator : wish.estimators) {
+        const std::string refusal = refusal_of(planned, wish.size, number, estimator);
+        if (!refusal.empty()) {
+            plan.refusals.push_back(planned.name + ": " + name_of(number) + ": " + zerkalo::name_of(estimator) + ": " +
+                                    refusal);
+            continue;
+        }
         for (const std::int32_t antialias : wish.antialias) {
             for (const std::int32_t samples : number == Number::fixed ? wish.fixed_samples : wish.samples) {
                 plan.rows.push_back({scene, number, estimator, samples, antialias, 0});
@@ -143,7 +153,7 @@ Wish quick_wish() {
     Wish wish = wish_for({64, 48});
     wish.samples = {1, 4, 16, 64};
     wish.fixed_samples = {1, 4, 16};
-    wish.reference_samples = 16384;
+    wish.reference_samples = 8192;
     return wish;
 }
 
@@ -177,19 +187,12 @@ StudyPlan plan_of(const Wish& wish) {
             throw Failure(ExitCode::usage, word + ": two scenes are called '" + planned.name +
                                                "'; a study tells its scenes apart by the names of their files");
         }
-        const std::string refusal = refusal_of(planned, wish.size, Number::floating);
+        const std::string refusal = refusal_of(planned, wish.size, Number::floating, Estimator::fibonacci);
         if (!refusal.empty()) throw Failure(ExitCode::scene_invalid, word + ": " + refusal);
         plan.scenes.push_back(std::move(planned));
     }
     for (std::size_t i = 0; i < plan.scenes.size(); ++i) {
-        for (const Number number : wish.numbers) {
-            const std::string refusal = refusal_of(plan.scenes[i], wish.size, number);
-            if (refusal.empty()) {
-                add_rows(plan, static_cast<int>(i), number);
-            } else {
-                plan.refusals.push_back(plan.scenes[i].name + ": " + name_of(number) + ": " + refusal);
-            }
-        }
+        for (const Number number : wish.numbers) add_rows(plan, static_cast<int>(i), number);
     }
     plan.text = text_of(plan);
     return plan;

@@ -36,7 +36,7 @@ struct StudyPlan {
     Wish wish;
     std::vector<PlannedScene> scenes;
     std::vector<Setting> rows;
-    std::vector<std::string> refusals;  // "SCENE: fixed: REASON": rows that cannot be
+    std::vector<std::string> refusals;  // "SCENE: NUMBER: ESTIMATOR: REASON": rows that cannot be
     std::string text;                   // of DIR/plan.txt: equal for equal plans
 
     const PlannedScene& scene_of(const Setting& setting) const {
