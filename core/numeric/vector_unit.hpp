@@ -1,7 +1,7 @@
 // unit_of_integers() of fixed_elementary.hpp on lanes in vector registers: the same integers, lane by lane.
 #pragma once
 
-#include "core/numeric/vector_lanes.hpp"
+#include "core/numeric/vector_quotients.hpp"
 
 #if defined(ZERKALO_INT_VECTORS)
 namespace zerkalo::inline ZERKALO_ISA {

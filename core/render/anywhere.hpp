@@ -128,8 +128,8 @@ ZERKALO_INLINE bool met_close_by(AnyHit<R>& best, const PlanFor<R>& plan, int k,
 /// `close`: these are camera rays, and the camera is inside or close to a solid.
 template <class R>
 ZERKALO_ONCE AnyHit<R> nearest_anywhere(const PlanFor<R>& plan, CandidateMask candidates, bool aimed,
-                                        Vec3<Length<R>> o, Vec3<Direction<R>> d, const Departure<R>& from, Mask<R> active,
-                                        Length<R> t_min, bool close) {
+                                        Vec3<Length<R>> o, Vec3<Direction<R>> d, const Departure<R>& from,
+                                        Mask<R> active, Length<R> t_min, bool close) {
     using L = Length<R>;
     AnyHit<R> best{far_away<L>(), Index<R>(-1), Index<R>(0), mask_of<R>(false), L(0), L(0), L(0)};
     for (CandidateMask left = solids_in(candidates); left != 0; left &= left - 1) {

@@ -25,7 +25,8 @@ ZERKALO_INLINE void trace_one(const PlanFor<R>& plan, const TileView& view, cons
                               const PathKey<R>& key, PathStack<R>& stack, Rgb<LightSum<R>>& sum,
                               TileCounts& counts) {
     const bool close = ray.depth == 0 && (plan.features & kFeatureInside) != 0;
-    const AnyHit<R> hit = nearest_anywhere<R>(plan, ray.candidates, ray.aimed, ray.o, ray.d, ray.from, ray.active, t_min, close);
+    const AnyHit<R> hit =
+        nearest_anywhere<R>(plan, ray.candidates, ray.aimed, ray.o, ray.d, ray.from, ray.active, t_min, close);
     const auto hits = ray.active & (hit.id >= Index<R>(0));
     add<R>(sum, ray.active & (!hits), ray.throughput, spread<Radiance<R>>(plan.background));
     if (none(hits)) return;
@@ -149,7 +150,7 @@ ZERKALO_INLINE PathKey<R> path_key(const PlanFor<R>& plan, const Rect& tile, int
     }
     key.pixel = load_bits<R>(pixels);
     key.turn = load_phases<R>(turns);
-    key.set = {load_bits<R>(keys), load_bits<R>(halves)};
+    if (keyed) key.set = {load_bits<R>(keys), load_bits<R>(halves)};
     return key;
 }
 
@@ -164,6 +165,8 @@ inline void render_tile_general(const PlanFor<R>& plan, const Rect& tile, const 
     TileColoursFor<R> colours;
     TileCounts tile_counts;
     PathStack<R> stack;
+    const bool lobes =
+        (plan.features & kFeatureGlossy) != 0 && (mirrors_in(view.seen) != 0 || (plan.features & kFeatureChain) != 0);
     for (std::int32_t a = 0; a < plan.antialias; ++a) {
         const auto at = sub_pixel<Uniform<R>>(a, plan.antialias);
         TileColumns<R> columns;
@@ -171,7 +174,8 @@ inline void render_tile_general(const PlanFor<R>& plan, const Rect& tile, const 
         for (int first = 0; first < tile.height * kTileSide; first += kWidth<R>) {
             const auto active = lanes_inside<R>(tile, first);
             if (none(active)) continue;
-            const PathKey<R> key = path_key<R>(plan, tile, first, static_cast<std::uint32_t>(a));
+            const PathKey<R> key =
+                lobes ? path_key<R>(plan, tile, first, static_cast<std::uint32_t>(a)) : PathKey<R>{};
             LobeParts<R> parts{};
             const CameraRay<R> camera = camera_ray<R>(plan, columns, tile, first, at);
             put(colours, first,

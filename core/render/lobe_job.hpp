@@ -176,8 +176,8 @@ ZERKALO_INLINE LobePoint<R> point_of_job(const PlanFor<R>& plan, LobeRows<R>& ro
     return lobe_point(at.u, at.turn, job.inverse_exponent);
 }
 
-/// Lanes whose lobe, the cone about m that holds all its rays, can come near the solid's bounding ball: the ball's signed
-/// distance to the cone's side is  across cos - along sin. Compared squared and divided by the cosine.
+/// Lanes whose lobe, the cone about m that holds all its rays, can come near the solid's bounding ball: the ball's
+/// signed distance to the cone's side is  across cos - along sin. Compared squared and divided by the cosine.
 template <class R>
 ZERKALO_INLINE Mask<R> cone_may_meet(const SolidPlanFor<R>& solid, const LobeFor<R>& lobe, Vec3<Length<R>> p,
                                      Vec3<Direction<R>> m) {
@@ -187,7 +187,8 @@ ZERKALO_INLINE Mask<R> cone_may_meet(const SolidPlanFor<R>& solid, const LobeFor
     constexpr auto kRoom = Length<One>::from_raw(1 << 8);
     const Vec3<L> f = solid.bound_centre - p;
     const L along = as<L>(dot(f, m));
-    const L reach = as<L>(along * lobe.cone.tangent) + L(as<Length<One>>(solid.bound_radius * lobe.cone.secant) + kRoom);
+    const auto radius = as<Length<One>>(solid.bound_radius * lobe.cone.secant) + kRoom;
+    const L reach = as<L>(along * lobe.cone.tangent) + L(radius);
     return (reach >= L(0)) & (dot(f, f) - along * along <= reach * reach + Area<R>(kSquareRoom<R>));
 }
 

@@ -22,6 +22,13 @@ class Bench(CommandLineTest):
                 self.assertGreater(entry["rays"], 0, entry)
                 self.assertEqual(entry["lanes"], lanes)
 
+    def test_fixed_point_has_a_frame_for_every_instruction_set_with_a_kernel_of_its_own(self):
+        lanes = {"scalar": 1, "sse4.2": 4, "avx2": 8, "avx512": 8, "neon": 4}
+        available = {isa["name"] for isa in self.json("doctor")["isas"] if isa["available"]}
+        report = json.loads(self.succeed("bench", "--filter", "^frame/samples:16/fixed/", "--json", *QUICK))
+        found = {entry["name"].rsplit("/", 1)[1]: entry["lanes"] for entry in report["benchmarks"]}
+        self.assertEqual(found, {name: count for name, count in lanes.items() if name in available})
+
     def test_a_solid_costs_one_camera_ray_a_pixel_and_a_light_one_shadow_ray(self):
         report = json.loads(self.succeed("bench", "--filter", "^(solid|shadow)/", "--json", *QUICK))
         self.assertEqual({entry["rays"] for entry in report["benchmarks"]}, {128 * 128})

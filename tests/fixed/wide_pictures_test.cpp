@@ -46,6 +46,14 @@ TEST(FixedWidths, GiveTheSameBytesForEveryKindOfSurface) {
         EXPECT_EQ(four.rays.primary + four.rays.lobe + four.rays.reflected + four.rays.refracted + four.rays.shadow,
                   one.rays.primary + one.rays.lobe + one.rays.reflected + one.rays.refracted + one.rays.shadow);
         EXPECT_EQ(rendered(*plan, &of_width<8>).hash, one.hash);
+        for (int i = 0; i < kIsaCount; ++i) {
+            const Isa isa = static_cast<Isa>(i);
+            if (!available(isa)) continue;
+            const Hashed vectors = rendered(*plan, kernel_for(*plan, isa));
+            EXPECT_EQ(vectors.hash, one.hash) << name_of(isa);
+            EXPECT_EQ(vectors.rays.lobe, one.rays.lobe) << name_of(isa);
+            EXPECT_EQ(vectors.rays.shadow, one.rays.shadow) << name_of(isa);
+        }
     }
 }
 

@@ -109,11 +109,10 @@ void add_frames(std::vector<Entry>& entries, Isa isa, const std::shared_ptr<cons
     }
 }
 
-// The kernels in fixed point and in double are the same for every instruction set.
-void add_frames(std::vector<Entry>& entries, Number number, const std::shared_ptr<const Scene>& scene) {
+void add_frames(std::vector<Entry>& entries, Number number, Isa isa, const std::shared_ptr<const Scene>& scene) {
     for (const int samples : {1, 16}) {
-        const std::string name = "frame/samples:" + std::to_string(samples) + "/" + name_of(number);
-        entries.push_back({name, Isa::scalar, scene, samples, total_of, Extent::frame, number});
+        const std::string name = "frame/samples:" + std::to_string(samples) + "/" + name_of(number) + "/" + name_of(isa);
+        entries.push_back({name, isa, scene, samples, total_of, Extent::frame, number});
     }
 }
 
@@ -126,8 +125,10 @@ std::vector<Entry> entries_for(const BenchOptions& options) {
         if (!available(isa)) continue;
         add_kernels(entries, isa);
         add_frames(entries, isa, scene);
+        if (fixed_isa_of(isa) == isa) add_frames(entries, Number::fixed, isa, scene);
     }
-    for (const Number number : {Number::fixed, Number::double_precision}) add_frames(entries, number, scene);
+    // The kernel in double is the same for every instruction set.
+    add_frames(entries, Number::double_precision, Isa::scalar, scene);
     return entries;
 }
 
