@@ -192,6 +192,7 @@ std::int32_t samples_of_step(int step) {
 }
 
 void keep_tile(const PlanHead& plan, const Accumulator& accumulator, int tile, TilePass& pass) {
+    if (accumulator.tiles[tile].passes == 0) return;
     const Rect rect = tile_at(plan, tile);
     for_rows(accumulator.picture, rect, [&](const float* row, std::int32_t first) {
         for (std::int32_t i = 0; i < 3 * rect.width; ++i) pass.before[first + i] = row[i];

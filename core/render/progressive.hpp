@@ -23,8 +23,8 @@ constexpr std::int32_t kFirstSamples = kSpreadParts;   // of the survey, the flo
 constexpr std::int32_t kMostSamples = 1 << 14;         // of one pass: what this does not reach is given up
 constexpr int kLadderSteps = 24;                       // and so many sizes a pass can have
 
-/// Whether the error of a rule is known from its parts. Not where every fourth point is far from an even set: `jittered`
-/// and `sobol`.
+/// Whether the error of a rule is known from its parts. Not where every fourth point is far from an even set:
+/// `jittered` and `sobol`.
 bool can_tell_error(Estimator estimator);
 
 /// Samples of the passes after the survey: 4, 8, 12, 16, 24, 32, 48, ... kMostSamples.
@@ -54,7 +54,7 @@ struct TilePass {
     TileSpread spread;
 };
 
-/// Keeps the tile's pixels as they are.
+/// Keeps the tile's pixels as they are, if it has had a pass.
 void keep_tile(const PlanHead& plan, const Accumulator& accumulator, int tile, TilePass& pass);
 
 /// From the new pass in the picture, which took so many lobe rays, to the mean of all passes.
