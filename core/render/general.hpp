@@ -185,7 +185,9 @@ inline void render_tile_general(const PlanFor<R>& plan, const Rect& tile, const 
         }
     }
     if (plan.antialias > 1) average<R>(colours, plan.antialias);
-    if (spread_of_tile) average(*spread_of_tile, plan.antialias);
+    if constexpr (kTells<R>) {
+        if (spread_of_tile) average(*spread_of_tile, plan.antialias);
+    }
     write_tile<R>(plan, colours, tile, image);
     counts.reflected += tile_counts.reflected;
     counts.lobe += tile_counts.lobe;

@@ -33,11 +33,6 @@ double share_of_parts(const PlanHead& plan) {
     return plan.mirror_count > 1 ? (1 + 2 * share) / 3 : share;
 }
 
-/// A tile's pixels before a pass, packed.
-struct TilePixels {
-    float rgb[3 * kTilePixels];
-};
-
 template <class Work>
 void for_rows(const LinearImage& image, const Rect& tile, const Work& work) {
     for (std::int32_t y = 0; y < tile.height; ++y) {
@@ -45,17 +40,11 @@ void for_rows(const LinearImage& image, const Rect& tile, const Work& work) {
     }
 }
 
-void keep(const LinearImage& image, const Rect& tile, TilePixels& pixels) {
-    for_rows(image, tile, [&](const float* row, std::int32_t first) {
-        for (std::int32_t i = 0; i < 3 * tile.width; ++i) pixels.rgb[first + i] = row[i];
-    });
-}
-
 /// From the new pass in the image and the mean before to the mean of both; `share`: the new pass's weight in it.
-void mix(const LinearImage& image, const Rect& tile, const TilePixels& before, double share) {
+void mix(const LinearImage& image, const Rect& tile, const float* before, double share) {
     for_rows(image, tile, [&](float* row, std::int32_t first) {
         for (std::int32_t i = 0; i < 3 * tile.width; ++i) {
-            const double mean = before.rgb[first + i];
+            const double mean = before[first + i];
             row[i] = float(mean + share * (double(row[i]) - mean));
         }
     });
@@ -202,16 +191,20 @@ std::int32_t samples_of_step(int step) {
     return step % 2 == 1 ? octave : octave + octave / 2;
 }
 
-void add_pass(const Plan& plan, SpreadFunction kernel, int tile, const Accumulator& accumulator, RayCounts& counts) {
+void keep_tile(const PlanHead& plan, const Accumulator& accumulator, int tile, TilePass& pass) {
+    if (accumulator.tiles[tile].passes == 0) return;
+    const Rect rect = tile_at(plan, tile);
+    for_rows(accumulator.picture, rect, [&](const float* row, std::int32_t first) {
+        for (std::int32_t i = 0; i < 3 * rect.width; ++i) pass.before[first + i] = row[i];
+    });
+}
+
+void mix_tile(const PlanHead& plan, const Accumulator& accumulator, int tile, const TilePass& pass,
+              std::uint64_t lobe_rays) {
     const IeeeMode ieee;
     const Rect rect = tile_at(plan, tile);
     TileProgress& progress = accumulator.tiles[tile];
     const bool first = progress.passes == 0;
-    TilePixels before;
-    if (!first) keep(accumulator.picture, rect, before);
-    TileSpread spread;
-    const std::uint64_t lobe_before = counts.lobe;
-    kernel(plan, rect, accumulator.picture, counts, spread);
     const double weight = weight_of(plan, plan.samples);
     const double share = weight / (progress.weight + weight);
     progress.weight += weight;
@@ -219,12 +212,12 @@ void add_pass(const Plan& plan, SpreadFunction kernel, int tile, const Accumulat
     ++progress.passes;
     progress.next = 0;
     if (first) {
-        progress.hits = double(counts.lobe - lobe_before) / plan.samples;
+        progress.hits = double(lobe_rays) / plan.samples;
         if (progress.hits == 0) return;
     } else {
-        mix(accumulator.picture, rect, before, share);
+        mix(accumulator.picture, rect, pass.before, share);
     }
-    const double fresh = mix_variance(plan, accumulator, rect, spread, share, first);
+    const double fresh = mix_variance(plan, accumulator, rect, pass.spread, share, first);
     progress.variance = (1 - share) * (1 - share) * progress.variance + fresh;
 }
 

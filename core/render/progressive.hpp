@@ -23,8 +23,8 @@ constexpr std::int32_t kFirstSamples = kSpreadParts;   // of the survey, the flo
 constexpr std::int32_t kMostSamples = 1 << 14;         // of one pass: what this does not reach is given up
 constexpr int kLadderSteps = 24;                       // and so many sizes a pass can have
 
-/// Whether the error of a rule is known from its parts. Not where every fourth point is far from an even set: `jittered`
-/// and `sobol`.
+/// Whether the error of a rule is known from its parts. Not where every fourth point is far from an even set:
+/// `jittered` and `sobol`.
 bool can_tell_error(Estimator estimator);
 
 /// Samples of the passes after the survey: 4, 8, 12, 16, 24, 32, 48, ... kMostSamples.
@@ -44,13 +44,34 @@ struct TileProgress {
 /// The picture so far, in the caller's memory.
 struct Accumulator {
     LinearImage picture;            // the mean over all passes; whole once every tile has had one
-    float* variance = nullptr;      // of each pixel, summed over its channels: width x height, row-major; or null
+    float* variance = nullptr;      // of each pixel, summed over its channels, row-major, zeroed to begin with; or null
     TileProgress* tiles = nullptr;  // tile_count(plan), zeroed to begin with
 };
 
+/// A tile between two passes: what its pixels were before the kernel painted over them, and how sure the new ones are.
+struct TilePass {
+    float before[3 * kTilePixels];
+    TileSpread spread;
+};
+
+/// Keeps the tile's pixels as they are, if it has had a pass.
+void keep_tile(const PlanHead& plan, const Accumulator& accumulator, int tile, TilePass& pass);
+
+/// From the new pass in the picture, which took so many lobe rays, to the mean of all passes.
+void mix_tile(const PlanHead& plan, const Accumulator& accumulator, int tile, const TilePass& pass,
+              std::uint64_t lobe_rays);
+
 /// Renders one tile with the plan's samples and rotation and adds it to the picture so far; adds to `counts`. The first
 /// pass of every tile must be a survey. Precondition: plan.samples is a multiple of kSpreadParts.
-void add_pass(const Plan& plan, SpreadFunction kernel, int tile, const Accumulator& accumulator, RayCounts& counts);
+/// Here and not in the core's units, which call nothing through a pointer.
+inline void add_pass(const Plan& plan, SpreadFunction kernel, int tile, const Accumulator& accumulator,
+                     RayCounts& counts) {
+    TilePass pass;
+    keep_tile(plan, accumulator, tile, pass);
+    const std::uint64_t lobe_before = counts.lobe;
+    kernel(plan, tile_at(plan, tile), accumulator.picture, counts, pass.spread);
+    mix_tile(plan, accumulator, tile, pass, counts.lobe - lobe_before);
+}
 
 /// Estimated root of the mean square over all pixels and channels of (picture so far - limit of infinitely many
 /// samples at the same camera rays); infinite before every tile has had a pass. Linear light.
