@@ -52,8 +52,7 @@ ZERKALO_ONCE void fill_grid(CoverGrid& grid, const TileCover& cover, const Plan&
         const Vec3<R> p = camera.origin + towards * (R(height) / -dot(mirror.shape.n, towards));
         const Vec3<R> m = reflect(towards * (R(1) / sqrt(dot(towards, towards))), spread<R>(mirror.shape.n));
         const Tangents<R> sides = tangents_of(m);
-        Mask<R> covered;
-        const Rgb<R> light = covered_light(cover, plan, mirror, p, LobeFrame<R>{m, sides.t, sides.b}, covered);
+        const Rgb<R> light = covered_light(cover, plan, mirror, p, LobeFrame<R>{m, sides.t, sides.b});
         store(grid.r + first, light.r), store(grid.g + first, light.g), store(grid.b + first, light.b);
     }
 }
@@ -83,35 +82,45 @@ ZERKALO_INLINE Mask<R> may_meet_any(const Plan& plan, CandidateMask solids, Vec3
     return meets;
 }
 
-/// Of all pixels that wait for their lobe rays, for the camera rays through the given point of each.
+/// Lanes of bits that are set.
 template <class R>
-ZERKALO_ONCE void cover_waiting(TileCover& cover, const CoverGrid& grid, const GlossQueues& queues, const Plan& plan,
-                                SubPixel at, TileCounts& counts) {
+ZERKALO_INLINE Mask<R> lanes_of_bits(std::uint64_t bits) {
+    alignas(64) float lanes[kWidth<R>];
+    for (int k = 0; k < kWidth<R>; ++k) lanes[k] = float(bits >> k & 1);
+    return load<R>(lanes) > R(0);
+}
+
+/// Adds F K_r times the covered light to the colours of all pixels that wait for their lobe rays, for the camera rays
+/// through the given point of each.
+template <class R>
+ZERKALO_ONCE void add_covered(const TileCover& cover, const CoverGrid& grid, const GlossQueues& queues, const Plan& plan,
+                              SubPixel at, TileColours& colours, TileCounts& counts) {
     constexpr std::uint64_t kPacket = (std::uint64_t{1} << kWidth<R>)-1;
     const GlossPoints& points = queues.points;
     CandidateMask solids = 0;
     for (std::int32_t i = 0; i < cover.count; ++i) solids |= CandidateMask{1} << cover.solids[i].k;
     for (int first = 0; first < kTilePixels; first += kWidth<R>) {
-        const std::uint64_t waiting = queues.waiting >> first & kPacket;
-        if (waiting == 0) continue;
+        const std::uint64_t bits = queues.waiting >> first & kPacket;
+        if (bits == 0) continue;
+        const auto waiting = lanes_of_bits<R>(bits);
         const Vec3<R> p{load<R>(points.px + first), load<R>(points.py + first), load<R>(points.pz + first)};
         const Vec3<R> m{load<R>(points.mx + first), load<R>(points.my + first), load<R>(points.mz + first)};
-        auto covered = may_meet_any(plan, solids, p, m);
-        const auto sampled = may_meet_any(plan, cover.plain, p, m);
-        Rgb<R> light = spread<R>(Rgb<float>{0, 0, 0});
+        auto covered = waiting & may_meet_any(plan, solids, p, m);
+        counts.covered += count_of(covered);
+        counts.sampled += count_of(waiting & may_meet_any(plan, cover.plain, p, m));
+        if (none(covered)) continue;
+        Rgb<R> light;
         if (cover.smooth) {
             const R column = load<R>(kColumns.real + first % kTileSide) + R(at.x);
             const R row = load<R>(kRows.real) + R(float(first / kTileSide) + at.y);
             constexpr float kStep = 2.0f / kTileSide, kStart = kStep / 2 - 1;
-            const R x = column * R(kStep) + R(kStart), y = row * R(kStep) + R(kStart);
-            light = select(covered, interpolated(grid, x, y), light);
+            light = interpolated(grid, column * R(kStep) + R(kStart), row * R(kStep) + R(kStart));
         } else {
             const Tangents<R> sides = tangents_of(m);
-            light = covered_light(cover, plan, plan.mirrors[0], p, LobeFrame<R>{m, sides.t, sides.b}, covered);
+            light = covered_light(cover, plan, plan.mirrors[0], p, LobeFrame<R>{m, sides.t, sides.b});
         }
-        put(cover.light, first, light, false);
-        for (std::uint64_t left = bits_of(covered) & waiting; left != 0; left &= left - 1) ++counts.covered;
-        for (std::uint64_t left = bits_of(sampled) & waiting; left != 0; left &= left - 1) ++counts.sampled;
+        light = spread<R>(plan.mirrors[0].reflectance) * light;
+        put(colours, first, select(covered, light, spread<R>(Rgb<float>{0, 0, 0})), true);
     }
 }
 

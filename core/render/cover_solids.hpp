@@ -230,18 +230,16 @@ ZERKALO_INLINE Rgb<R> covered_by_tube(const CoveredSolid& cover, const Plan& pla
     return scaled(side, whole) + scaled(shade_in<R>(Mask<R>(true), cover, kCapFace) - side, cap);
 }
 
-/// The sum over all covered solids, and the lanes whose lobe may meet one.
+/// The sum over all covered solids.
 template <class R>
 ZERKALO_ONCE Rgb<R> covered_light(const TileCover& cover, const Plan& plan, const MirrorPlan& mirror, const Vec3<R>& p,
-                                  const LobeFrame<R>& frame, Mask<R>& covered) {
+                                  const LobeFrame<R>& frame) {
     Rgb<R> sum = spread<R>(Rgb<float>{0, 0, 0});
-    covered = Mask<R>(false);
     for (std::int32_t i = 0; i < cover.count; ++i) {
         const CoveredSolid& next = cover.solids[i];
         const SolidPlan& solid = plan.solids[next.k];
         const auto here = lobe_may_meet(solid, mirror.lobe, p, frame.m);
         if (none(here)) continue;
-        covered = covered | here;
         Rgb<R> light;
         if (solid.shape == ShapeKind::sphere) {
             light = covered_by_ball(next, plan, mirror.profile, p, frame);

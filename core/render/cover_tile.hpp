@@ -24,8 +24,7 @@ struct TileCover {
     static constexpr bool kCovers = true;
     CoveredSolid solids[kMaxCovered];
     std::int32_t count;
-    TileColours light;    // by pixel: the sum over f of (c_f - b) coverage_f
-    bool smooth;          // so that it can be interpolated from a few places of the tile (render/cover_grid.hpp)
+    bool smooth;          // their light, so that it can be interpolated from a few places of the tile (render/cover_grid.hpp)
     CandidateMask plain;  // solids that some lobe may meet and that are left to the lobe rays alone
 };
 

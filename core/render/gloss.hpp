@@ -189,17 +189,6 @@ ZERKALO_ONCE void fill_class_chunks(LatticeChunk* chunks, const Plan& plan, cons
     }
 }
 
-/// Starts a queue's sums with the covered part of its pixels' light, once for each of the rays to come.
-template <class R>
-ZERKALO_INLINE void start_sums(GlossQueue& queue, const TileCover& cover, std::int32_t samples) {
-    for (std::int32_t at = 0; at < queue.count; at += kWidth<R>) {
-        const std::uint8_t* pixels = queue.pixel + at;
-        store(queue.r + at, gather<R>(cover.light.r, pixels) * R(float(samples)));
-        store(queue.g + at, gather<R>(cover.light.g, pixels) * R(float(samples)));
-        store(queue.b + at, gather<R>(cover.light.b, pixels) * R(float(samples)));
-    }
-}
-
 /// Traces all waiting pixels of camera sample `sample` and adds what they see in the mirror to their colours.
 /// A function of its own, so that its stack and the camera rays' are not held at the same time as one frame's spills.
 template <class R, bool Spread, class Cover>
@@ -208,7 +197,6 @@ ZERKALO_ONCE void flush(GlossQueues& queues, const LatticeClasses& classes, cons
                         TileColours& colours, TileSpread* spread_of_tile, TileCounts& counts) {
     for (int c = 0; c < kLatticeClasses; ++c) {
         fill_queue<R>(queues.of_class[c], queues.waiting & pixels_of_class(classes, c), mirror.lobe.max_phong);
-        if constexpr (Cover::kCovers) start_sums<R>(queues.of_class[c], cover, plan.samples);
     }
     queues.waiting = 0;
     GlossParts<Spread> parts{};

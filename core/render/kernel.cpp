@@ -9,15 +9,18 @@
 namespace zerkalo {
 
 using R = Real<ZERKALO_WIDTH>;
-// The general kernel keeps whole packets of rays on its stack: at 16 lanes they would not fit into 24 KB.
+// The general kernel keeps whole packets of rays on its stack, the covered one outlines: at 16 lanes they would not fit
+// into 24 KB.
 using G = Real<(ZERKALO_WIDTH < 8 ? ZERKALO_WIDTH : 8)>;
+template <Bounce bounce>
+using LanesOf = std::conditional_t<bounce == Bounce::covered_lobe, G, R>;
 
 namespace {
 
 template <Bounce bounce>
 void one_bounce(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
     const IeeeMode ieee;
-    render_tile_one_bounce<R, bounce>(plan, tile, image, counts);
+    render_tile_one_bounce<LanesOf<bounce>, bounce>(plan, tile, image, counts);
 }
 void general(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
     const IeeeMode ieee;
@@ -35,7 +38,7 @@ void lobe_with_spread(const Plan& plan, const Rect& tile, const LinearImage& ima
                       TileSpread& spread) {
     const IeeeMode ieee;
     spread = {};
-    render_tile_one_bounce<R, bounce, true>(plan, tile, image, counts, &spread);
+    render_tile_one_bounce<LanesOf<bounce>, bounce, true>(plan, tile, image, counts, &spread);
 }
 void general_with_spread(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
                          TileSpread& spread) {

@@ -128,7 +128,7 @@ inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const Lin
                     if (cover.smooth) fill_grid<R>(grid, cover, plan, tile);
                 }
                 cover_is_known = true;
-                cover_waiting<R>(cover, grid, queues, plan, at, tile_counts);
+                add_covered<R>(cover, grid, queues, plan, at, colours, tile_counts);
             }
             flush<R, Spread>(queues, classes, plan, plan.mirrors[0], view.in_lobe, cover, static_cast<std::uint32_t>(a),
                              colours, spread_of_tile, tile_counts);
