@@ -243,6 +243,13 @@ Status check(const Scene& scene, const Settings& settings, ImageSize& size) {
     if (const Status status = validate(scene); !status.ok()) return status;
     size = {settings.width > 0 ? settings.width : scene.image.width,
             settings.height > 0 ? settings.height : scene.image.height};
+    for (std::int32_t m = 0; m < scene.mirror_count; ++m) {
+        const bool rough = scene.mirrors[m].lobe == Lobe::ggx && scene.mirrors[m].lobe_exponent < kInfinity;
+        if (rough && settings.estimator == Estimator::fibonacci_coverage) {
+            constexpr const char* kReason = "must not be fibonacci+coverage where a mirror's lobe is ggx";
+            return Status{"estimator", kReason, Part::settings, 0};
+        }
+    }
     return check(settings, size);
 }
 

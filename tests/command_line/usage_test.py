@@ -40,6 +40,13 @@ class Usage(CommandLineTest):
         for option in ("--error", "--time"):
             self.refuse_render(option, "1", says=[f"unknown option '{option}'"])
 
+    def test_an_estimator_that_the_lobe_does_not_have_is_refused(self):
+        self.refuse_render("--estimator", "monte-carlo", says=["--estimator", "is not one of", "random", "fibonacci"])
+        rough = self.file("scene.toml", SCENE + 'lobe = "ggx"\n')
+        self.refuse("render", rough, "-o", self.path("a.png"), "--estimator", "fibonacci+coverage",
+                    says=["estimator", "must not be fibonacci+coverage where a mirror's lobe is ggx"])
+        self.assertEqual(self.names(), ["scene.toml"])
+
     def test_a_surplus_argument_is_refused(self):
         self.refuse_render("second.toml", says=["unexpected argument 'second.toml'"])
 

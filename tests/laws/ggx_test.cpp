@@ -16,8 +16,8 @@ double lambda(double cosine, double alpha) {
     return (std::sqrt(1 + alpha * alpha * (1 / (cosine * cosine) - 1)) - 1) / 2;
 }
 
-/// Integral over the hemisphere of D(h) G2 / (4 cos_o), h half-way between viewer and light: midpoint rule in the cosine
-/// and the azimuth of the light.
+/// Integral over the hemisphere of D(h) G2 / (4 cos_o), h half-way between viewer and light: midpoint rule in the
+/// cosine and the azimuth of the light.
 double exact_albedo(double alpha, double angle) {
     constexpr int kSteps = 800;
     const double ox = std::sin(angle), oz = std::cos(angle);
@@ -76,7 +76,8 @@ TEST(Ggx, TendsToTheSharpPictureAsItIsPolished) {
     for (const double polish : {0.7, 0.9, 0.97, 0.99, 0.999}) {
         Settings settings = of_size(64, 48);
         settings.samples = 64;
-        const double error = reference::compare(picture_of(render(before_a_rough_mirror(polish), settings)), sharp, 0).rmse;
+        const reference::Picture rough = picture_of(render(before_a_rough_mirror(polish), settings));
+        const double error = reference::compare(rough, sharp, 0).rmse;
         EXPECT_LT(error, before) << "polish " << polish;
         before = error;
     }

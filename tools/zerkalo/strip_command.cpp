@@ -1,4 +1,4 @@
-// zerkalo strip: one scene with its unpolished mirrors at eleven degrees of polish, 0 to 1, side by side in one picture.
+// zerkalo strip: one scene with its mirrors at eleven degrees of polish, 0 to 1, side by side in one picture.
 #include "core/image/resolve.hpp"
 #include "core/scene/edit.hpp"
 #include "tools/zerkalo/commands.hpp"

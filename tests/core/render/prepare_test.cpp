@@ -238,6 +238,23 @@ TEST(Features, NameWhereTheCameraStands) {
     EXPECT_EQ(features_of(*scene), (Names{"sphere", "far"}));
 }
 
+TEST(Prepare, RefusesCoverageOfALobeThatHasNone) {
+    const auto scene = one_ball();
+    const auto plan = std::make_unique<Plan>();
+    const auto fixed_plan = std::make_unique<FixedPlan>();
+    const Settings covered{.estimator = Estimator::fibonacci_coverage};
+    scene->mirror_count = 1;
+    scene->mirrors[0].position = {0, 0, -5};
+    scene->mirrors[0].lobe = Lobe::ggx;
+    EXPECT_TRUE(prepare(*scene, covered, *plan).ok()) << "a sharp mirror has no lobe";
+    scene->mirrors[0].lobe_exponent = 100;
+    EXPECT_STREQ(prepare(*scene, covered, *plan).field, "estimator");
+    EXPECT_STREQ(prepare(*scene, covered, *fixed_plan).field, "estimator");
+    EXPECT_TRUE(prepare(*scene, Settings{}, *plan).ok());
+    scene->mirrors[0].lobe = Lobe::phong;
+    EXPECT_TRUE(prepare(*scene, covered, *plan).ok());
+}
+
 TEST(Features, NoMoreNamesThanThereIsRoomFor) {
     const auto scene = one_ball();
     const auto plan = std::make_unique<Plan>();
