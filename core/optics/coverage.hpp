@@ -190,7 +190,8 @@ ZERKALO_INLINE R ball_coverage(const LobeProfile& profile, R across, R along, R 
     // Both halves of the outline, the nodes' interval half as long as theirs.
     const R along_arc = sine_a * end * sum * R(4 * kInverseTurn);
     const R rest = turn_of(R(2) * sine_a * edge * turned, nearest + slope * edge2);
-    return rest * R(2) + along_arc;
+    // 0 has one sign, whether or not a neighbour in the packet is met.
+    return rest * R(2) + along_arc + R(0);
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

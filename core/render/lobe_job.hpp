@@ -238,8 +238,11 @@ ZERKALO_INLINE void aim_job(const PlanFor<R>& plan, const LobeStart<R>& start, L
     if constexpr (Formats<R>::kFixed) {
         using L = Length<R>;
         if (plan.exact_plan || mirrors_in(candidates) != 0 || any(job.max_phong | job.ggx)) return;
-        if (__builtin_popcountll(candidates) > kMostTargets) return;
         for (CandidateMask left = candidates; left != 0; left &= left - 1) {
+            if (job.target_count == kMostTargets) {
+                job.target_count = 0;
+                return;
+            }
             LobeTarget<R>& target = job.targets[job.target_count++];
             target.solid = first_of(left);
             const SolidPlanFor<R>& solid = plan.solids[target.solid];

@@ -42,8 +42,8 @@ TEST(SceneFields, AllOfAScenesPartsAreInUseWhenItIsCrowded) {
     EXPECT_EQ(count(Part::camera), kCamera);
     EXPECT_EQ(count(Part::scene), 3 + 3 + 4);
     EXPECT_EQ(count(Part::light), 2 * kLight);
-    EXPECT_EQ(count(Part::solid), 6 * kSolid + 4 * kTriangle);
-    EXPECT_EQ(count(Part::mirror), 6 * kMirror + 2 * 4 * kCorner);
+    EXPECT_EQ(count(Part::solid), 7 * kSolid + 4 * kTriangle);
+    EXPECT_EQ(count(Part::mirror), 7 * kMirror + 2 * 4 * kCorner);
 }
 
 TEST(SceneFields, SetWritesOneFieldAndNoOther) {

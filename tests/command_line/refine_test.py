@@ -44,7 +44,7 @@ class Refine(CommandLineTest):
         self.report("--samples", "8192")
         limit = self.pixels()
         last_rays, last_distance = 0, 1
-        for error in "0.01", "0.003", "0.001":
+        for error in "0.003", "0.001", "0.0004":
             report = self.report("--error", error)
             squares = [(a - b) ** 2 for row, of_limit in zip(self.pixels(), limit)
                        for pixel, there in zip(row, of_limit) for a, b in zip(pixel, there)]

@@ -36,10 +36,6 @@ class Usage(CommandLineTest):
         self.refuse("render", self.scene, "--outptu", "a.png", says=["'--outptu'", "did you mean \"--output\"?"])
         self.refuse("compare", "a", "b", "--tolerence", "1", says=["did you mean \"--tolerance\"?"])
 
-    def test_options_of_later_versions_are_unknown(self):
-        for option in ("--error", "--time"):
-            self.refuse_render(option, "1", says=[f"unknown option '{option}'"])
-
     def test_an_estimator_that_the_lobe_does_not_have_is_refused(self):
         self.refuse_render("--estimator", "monte-carlo", says=["--estimator", "is not one of", "random", "fibonacci"])
         rough = self.file("scene.toml", SCENE + 'lobe = "ggx"\n')
