@@ -102,12 +102,13 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
             if (dips) hit = hit & (ray_cosine(n, chunk, s) > R(0));
             Rgb<R> light = solid_light(plan, asked, near, p, d, hit, background, counts) - background;
             if (weighted) light = scaled(light, lobe_weight(ray_cosine(n, chunk, s), inverse_cosine));
-            sum = sum + light;
-            note(s, light);
+            // In the order of the other branch: which one a ray takes depends on its packet.
             if constexpr (Cover::kCovers) {
                 sum = sum - counted;
                 note(s, none_yet - counted);
             }
+            sum = sum + light;
+            note(s, light);
         } else {
             const LobeCandidate<R>& candidate = only_candidate(aim, s);
             R t = R(0), face = R(0);
