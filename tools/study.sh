@@ -80,8 +80,9 @@ TEXT
     for picture in "$folder"/diagrams/*-time.png; do
         name=$(basename "$picture")
         cp "$picture" "$pictures/$name"
-        echo "<img src=\"pictures/study/$name\" width=\"400\" alt=\"${name%-time.png}: time against error\">"
+        printf '<img src="pictures/study/%s" width="400" alt="%s: time against error"> ' "$name" "${name%-time.png}"
     done
+    echo
     sed -n "/^$end\$/,\$p" "$readme"
 } >"$new"
 chmod 644 "$new"

@@ -200,7 +200,7 @@ ZERKALO_ONCE void flush(GlossQueues& queues, const LatticeClasses& classes, cons
         fill_queue<R>(queues.of_class[c], queues.waiting & pixels_of_class(classes, c), mirror.lobe.max_phong);
     }
     queues.waiting = 0;
-    GlossParts<Spread> parts{};
+    GlossParts<Spread> parts = parts_in<Spread>(spread_of_tile);
     const bool keyed = is_keyed(plan.sampling.estimator);
     LatticeChunk later[kClassChunks];
     GroupFrames<R> frames;

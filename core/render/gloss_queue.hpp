@@ -37,8 +37,23 @@ struct GlossParts {};
 template <>
 struct GlossParts<true> {
     using OfClasses = float[kLatticeClasses][kSpreadParts][kClassPixels];
-    alignas(64) OfClasses r, g, b, weight;
+    OfClasses &r, &g, &b, &weight;
 };
+
+/// The sums in the caller's memory, cleared.
+template <bool Spread>
+ZERKALO_INLINE GlossParts<Spread> parts_in(TileSpread* spread) {
+    if constexpr (Spread) {
+        for (auto& channel : spread->parts) {
+            for (float& sum : channel) sum = 0;
+        }
+        using OfClasses = GlossParts<true>::OfClasses;
+        return {reinterpret_cast<OfClasses&>(spread->parts[0]), reinterpret_cast<OfClasses&>(spread->parts[1]),
+                reinterpret_cast<OfClasses&>(spread->parts[2]), reinterpret_cast<OfClasses&>(spread->parts[3])};
+    } else {
+        return {};
+    }
+}
 
 template <class R>
 ZERKALO_INLINE void add_to(float* sums, R x) {

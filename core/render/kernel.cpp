@@ -9,7 +9,7 @@
 namespace zerkalo {
 
 using R = Real<ZERKALO_WIDTH>;
-// The general kernel keeps whole packets of rays on its stack, the covered one outlines: at 16 lanes they would not fit
+// The general kernel keeps whole packets of rays on its stack, the others sums or outlines: at 16 lanes they would not fit
 // into 24 KB.
 using G = Real<(ZERKALO_WIDTH < 8 ? ZERKALO_WIDTH : 8)>;
 template <Bounce bounce>
@@ -38,7 +38,7 @@ void lobe_with_spread(const Plan& plan, const Rect& tile, const LinearImage& ima
                       TileSpread& spread) {
     const IeeeMode ieee;
     spread = {};
-    render_tile_one_bounce<LanesOf<bounce>, bounce, true>(plan, tile, image, counts, &spread);
+    render_tile_one_bounce<G, bounce, true>(plan, tile, image, counts, &spread);
 }
 void general_with_spread(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
                          TileSpread& spread) {

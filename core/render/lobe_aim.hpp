@@ -6,7 +6,7 @@
 
 namespace zerkalo::inline ZERKALO_ISA {
 
-constexpr int kHoistedTerms = 48;  // lanes of origin terms that are kept; a solid without room computes its own
+constexpr int kHoistedTerms = 44;  // lanes of origin terms that are kept; a solid without room computes its own
 
 /// A solid that some pixels of a class can meet.
 template <class R>
@@ -77,7 +77,7 @@ ZERKALO_INLINE void hoist(R* terms, const Plan& plan, const SolidPlan& solid, Ve
 
 /// Chooses the candidates of a class for one chunk of the lattice.
 template <class R>
-ZERKALO_INLINE void aim_group(GroupAim<R>& aim, const Plan& plan, const LobeData& lobe, CandidateMask solids,
+ZERKALO_ONCE void aim_group(GroupAim<R>& aim, const Plan& plan, const LobeData& lobe, CandidateMask solids,
                               const LatticeChunk& chunk, const GroupFrames<R>& frames) {
     aim.count = 0;
     const LobePilot pilot = pilot_of(frames);

@@ -107,7 +107,8 @@ struct LobeRows<R> {
         Share<One> inverse_exponent{};
         Direction<One> forward{}, side[kLatticeClasses]{}, up[kLatticeClasses]{};
     };
-    Row rows[kChunk];
+    static constexpr std::int32_t kRows = 16;
+    Row rows[kRows];
 };
 
 /// Phase of lattice ray s before the turn of its pixel.
@@ -160,7 +161,7 @@ ZERKALO_INLINE LobePoint<R> point_of_job(const PlanFor<R>& plan, LobeRows<R>& ro
     if constexpr (Formats<R>::kFixed) {
         const auto exponent = first_exponent<R>(job, active);
         if (!is_keyed(plan.sampling.estimator) && none(active & (job.inverse_exponent != exponent))) {
-            auto& row = rows.rows[s % kChunk];
+            auto& row = rows.rows[s % LobeRows<R>::kRows];
             if (row.sample != s || row.camera_sample != key.camera_sample || row.inverse_exponent != exponent) {
                 fill_row<R>(row, plan, s, key.camera_sample, exponent);
             }

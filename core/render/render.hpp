@@ -55,6 +55,7 @@ constexpr int kSpreadParts = 4;  // of the lobe rays: a spread needs a multiple 
 /// of the pixel's value, summed over its channels, if the parts were independent. 0 where no lobe ray is needed.
 struct TileSpread {
     float variance[kTilePixels];
+    alignas(64) float parts[4][kSpreadParts * kTilePixels];  // working memory of the kernels
 };
 
 /// A TileFunction that also adds the spread of the tile's pixels; the picture's bytes are the same. Precondition:

@@ -1,6 +1,6 @@
 """Rules about the call graph of the core: no recursion, and a bound on the stack of every entry point.
 
-Usage: stack_rules.py recursion|depth BUILD [--limit BYTES] [--entries kernels|others]
+Usage: stack_rules.py recursion|depth BUILD [--limit BYTES] [--entries kernels|fixed|others]
 """
 import argparse
 import sys
@@ -43,10 +43,18 @@ def is_kernel(function):
     return objects.KERNEL.search(function.unit) is not None
 
 
+def kind_of(entry):
+    """Which of the three an entry point is."""
+    if not is_kernel(entry):
+        return "others"
+    return "fixed" if "FixedPlan" in entry.name else "kernels"
+
+
 def depth_violations(graph, limit, entries):
     """Every entry point whose deepest path needs more than `limit` bytes, and every stack of unknown size.
 
-    `entries`: "kernels" are what nothing calls in the kernels' units, "others" the rest of the core, None is both.
+    `entries`: "kernels" are what nothing calls in the units of the kernels of floating point, "fixed" in those of fixed
+    point, "others" the rest of the core, None is all.
     """
     cycles, _ = graph.walk()
     if cycles:
@@ -54,7 +62,7 @@ def depth_violations(graph, limit, entries):
     found = [f"{function}: stack of unknown size ({function.kind})" for function in graph.functions()
              if function.kind == "dynamic"]
     deepest = deepest_paths(graph)
-    chosen = [entry for entry in graph.entries() if entries is None or is_kernel(entry) == (entries == "kernels")]
+    chosen = [entry for entry in graph.entries() if entries in (None, kind_of(entry))]
     if not chosen:
         found.append(f"no entry point among the {entries}")
     ranked = sorted((deepest[id(entry)] for entry in chosen), key=lambda pair: -pair[0])
@@ -76,7 +84,7 @@ def main(arguments):
     parser.add_argument("rule", choices=RULES)
     parser.add_argument("build")
     parser.add_argument("--limit", type=int, default=24 * 1024)
-    parser.add_argument("--entries", choices=("kernels", "others"))
+    parser.add_argument("--entries", choices=("kernels", "fixed", "others"))
     given = parser.parse_args(arguments)
     graph = CallGraph(given.build)
     law, rule = RULES[given.rule]
