@@ -44,17 +44,25 @@ ZERKALO_INLINE void frame_group(GroupFrames<R>& frames, const GlossQueue& queue,
     }
 }
 
-/// Nothing is known of a lobe before its rays.
-struct NoCover {
-    static constexpr bool kCovers = false;
+/// Rays alone: nothing is known of a lobe before them, and nobody asks how sure its average is.
+struct NoAids {
+    static constexpr bool kAided = false;
 };
 
-/// The lobe rays of packet i of a group, number `at` and on in its queue, for one chunk of the lattice: adds to the queue's sums.
-template <class R, bool Spread, class Cover>
-ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, const Cover& cover,
+/// What a tile's lobe rays can have beside them.
+struct LobeAids {
+    static constexpr bool kAided = true;
+    const TileCover& cover;  // what is known before them
+    TileSpread* spread;      // tells how sure the average is; null: nobody asks
+    GlossParts parts;        // in the spread
+};
+
+/// The lobe rays of packet i of a group, number `at` and on in the queue of class c, for one chunk of the lattice: adds
+/// to the queue's sums.
+template <class R, class Aids>
+ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, const Aids& aids,
                                 const GroupAim<R>& group_aim, const GroupFrames<R>& frames, const LatticeChunk& chunk,
-                                GlossQueue& queue, std::int32_t at, std::int32_t i, GlossParts<Spread>& parts, int c,
-                                TileCounts& counts) {
+                                GlossQueue& queue, std::int32_t at, std::int32_t i, int c, TileCounts& counts) {
     const auto active = load<R>(kLaneNumbers.real) < R(float(queue.count - at));
     const Vec3<R>& p = frames.p[i];
     const LobeFrame<R>& frame = frames.frame[i];
@@ -73,7 +81,9 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
         for (std::int32_t s = 0; s < chunk.count; ++s) {
             const R weight = lobe_weight(ray_cosine(n, chunk, s), inverse_cosine);
             weight_sum = weight_sum + weight;
-            if constexpr (Spread) add_to(parts.weight[c][s % kSpreadParts] + at, weight);
+            if constexpr (Aids::kAided) {
+                if (aids.spread != nullptr) add_to((*aids.parts.weight)[c][s % kSpreadParts] + at, weight);
+            }
         }
         store(queue.weight + at, weight_sum);
     }
@@ -81,10 +91,12 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
     const Rgb<R> background = spread<R>(plan.background), none_yet = spread<R>(Rgb<float>{0, 0, 0});
     Rgb<R> sum{load<R>(queue.r + at), load<R>(queue.g + at), load<R>(queue.b + at)};
     const auto note = [&](std::int32_t s, const Rgb<R>& light) ZERKALO_INLINE_LAMBDA {
-        if constexpr (Spread) {
+        if constexpr (Aids::kAided) {
+            if (aids.spread == nullptr) return;
+            const GlossParts& parts = aids.parts;
             const std::int32_t part = s % kSpreadParts;
-            add_to(parts.r[c][part] + at, light.r), add_to(parts.g[c][part] + at, light.g);
-            add_to(parts.b[c][part] + at, light.b);
+            add_to((*parts.r)[c][part] + at, light.r), add_to((*parts.g)[c][part] + at, light.g);
+            add_to((*parts.b)[c][part] + at, light.b);
         }
     };
     for (std::uint64_t left = aim.reach & first_bits(chunk.count); left != 0; left &= left - 1) {
@@ -94,7 +106,7 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
             CandidateMask asked = 0;
             Rgb<R> counted = none_yet;
             const auto each = [&](int k, R face, Mask<R> met) ZERKALO_INLINE_LAMBDA {
-                if constexpr (Cover::kCovers) add_counted(counted, cover, k, face, met);
+                if constexpr (Aids::kAided) add_counted(counted, aids.cover, k, face, met);
             };
             const Nearest<R> near = nearest_in_lobe(plan, aim, s, p, d, asked, each);
             Mask<R> hit = active & (near.id >= R(0));
@@ -103,7 +115,7 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
             Rgb<R> light = solid_light(plan, asked, near, p, d, hit, background, counts) - background;
             if (weighted) light = scaled(light, lobe_weight(ray_cosine(n, chunk, s), inverse_cosine));
             // In the order of the other branch: which one a ray takes depends on its packet.
-            if constexpr (Cover::kCovers) {
+            if constexpr (Aids::kAided) {
                 sum = sum - counted;
                 note(s, none_yet - counted);
             }
@@ -119,9 +131,9 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
                 face = span.face_in;
             });
             if (none(hit)) continue;
-            if constexpr (Cover::kCovers) {
+            if constexpr (Aids::kAided) {
                 Rgb<R> counted = none_yet;
-                add_counted(counted, cover, candidate.k, face, hit);
+                add_counted(counted, aids.cover, candidate.k, face, hit);
                 sum = sum - counted;
                 note(s, none_yet - counted);
             }
@@ -158,21 +170,22 @@ ZERKALO_INLINE void settle(GlossQueue& queue, const Plan& plan, const MirrorPlan
 
 /// Adds to the tile's spread what the parts of one class of pixels tell: see TileSpread.
 template <class R>
-ZERKALO_INLINE void settle_spread(const GlossQueue& queue, const GlossParts<true>& parts, int c, const Plan& plan,
-                                  const MirrorPlan& mirror, TileSpread& spread_of_tile) {
+ZERKALO_INLINE void settle_spread(const GlossQueue& queue, const LobeAids& aids, int c, const Plan& plan,
+                                  const MirrorPlan& mirror) {
+    const GlossParts& parts = aids.parts;
     const Rgb<R> background = spread<R>(plan.background), tint = spread<R>(mirror.reflectance);
     const float part_of_ray = 1.0f / float(plan.samples);
     for (std::int32_t at = 0; at < queue.count; at += kWidth<R>) {
         PartSums<R> sums;
         for (int part = 0; part < kSpreadParts; ++part) {
-            const Rgb<R> seen{load<R>(parts.r[c][part] + at), load<R>(parts.g[c][part] + at),
-                              load<R>(parts.b[c][part] + at)};
-            sums.part[part] = tint * (scaled(background, load<R>(parts.weight[c][part] + at)) + seen);
+            const Rgb<R> seen{load<R>((*parts.r)[c][part] + at), load<R>((*parts.g)[c][part] + at),
+                              load<R>((*parts.b)[c][part] + at)};
+            sums.part[part] = tint * (scaled(background, load<R>((*parts.weight)[c][part] + at)) + seen);
         }
         alignas(64) float variance[kWidth<R>];
         store(variance, variance_of(sums) * R(part_of_ray * part_of_ray));
         for (std::int32_t k = 0; k < kWidth<R> && at + k < queue.count; ++k) {
-            spread_of_tile.variance[queue.pixel[at + k]] += variance[k];
+            aids.spread->variance[queue.pixel[at + k]] += variance[k];
         }
     }
 }
@@ -191,16 +204,15 @@ ZERKALO_ONCE void fill_class_chunks(LatticeChunk* chunks, const Plan& plan, cons
 }
 
 /// Traces all waiting pixels of camera sample `sample` and adds what they see in the mirror to their colours.
-/// A function of its own, so that its stack and the camera rays' are not held at the same time as one frame's spills.
-template <class R, bool Spread, class Cover>
-ZERKALO_ONCE void flush(GlossQueues& queues, const LatticeClasses& classes, const Plan& plan,
-                        const MirrorPlan& mirror, CandidateMask candidates, const Cover& cover, std::uint32_t sample,
-                        TileColours& colours, TileSpread* spread_of_tile, TileCounts& counts) {
+/// A function of its own, so that its stack and the camera rays' are not held at the same time.
+template <class R, class Aids>
+ZERKALO_ONCE void flush(GlossQueues& queues, const LatticeClasses& classes, const Plan& plan, const MirrorPlan& mirror,
+                        CandidateMask candidates, const Aids& aids, std::uint32_t sample, TileColours& colours,
+                        TileCounts& counts) {
     for (int c = 0; c < kLatticeClasses; ++c) {
         fill_queue<R>(queues.of_class[c], queues.waiting & pixels_of_class(classes, c), mirror.lobe.max_phong);
     }
     queues.waiting = 0;
-    GlossParts<Spread> parts = parts_in<Spread>(spread_of_tile);
     const bool keyed = is_keyed(plan.sampling.estimator);
     LatticeChunk later[kClassChunks];
     GroupFrames<R> frames;
@@ -217,15 +229,16 @@ ZERKALO_ONCE void flush(GlossQueues& queues, const LatticeClasses& classes, cons
                 frame_group(frames, queue, at, queues.points, phase);
                 aim_group(aim, plan, mirror.lobe, candidates, chunk, frames);
                 for (std::int32_t i = 0; i < frames.packets; ++i) {
-                    shoot_chunk<R, Spread>(plan, mirror, cover, aim, frames, chunk, queue, at + i * kWidth<R>, i, parts,
-                                           c, counts);
+                    shoot_chunk<R>(plan, mirror, aids, aim, frames, chunk, queue, at + i * kWidth<R>, i, c, counts);
                 }
             }
         }
     }
     for (int c = 0; c < kLatticeClasses; ++c) {
         settle<R>(queues.of_class[c], plan, mirror, colours);
-        if constexpr (Spread) settle_spread<R>(queues.of_class[c], parts, c, plan, mirror, *spread_of_tile);
+        if constexpr (Aids::kAided) {
+            if (aids.spread != nullptr) settle_spread<R>(queues.of_class[c], aids, c, plan, mirror);
+        }
     }
 }
 

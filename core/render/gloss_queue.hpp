@@ -32,27 +32,19 @@ struct GlossQueues {
 };
 
 /// The same sums apart for every kSpreadParts-th lobe ray: how far these parts lie from one another tells the error.
-template <bool Spread>
-struct GlossParts {};
-template <>
-struct GlossParts<true> {
+struct GlossParts {
     using OfClasses = float[kLatticeClasses][kSpreadParts][kClassPixels];
-    OfClasses &r, &g, &b, &weight;
+    OfClasses *r, *g, *b, *weight;
 };
 
 /// The sums in the caller's memory, cleared.
-template <bool Spread>
-ZERKALO_INLINE GlossParts<Spread> parts_in(TileSpread* spread) {
-    if constexpr (Spread) {
-        for (auto& channel : spread->parts) {
-            for (float& sum : channel) sum = 0;
-        }
-        using OfClasses = GlossParts<true>::OfClasses;
-        return {reinterpret_cast<OfClasses&>(spread->parts[0]), reinterpret_cast<OfClasses&>(spread->parts[1]),
-                reinterpret_cast<OfClasses&>(spread->parts[2]), reinterpret_cast<OfClasses&>(spread->parts[3])};
-    } else {
-        return {};
+ZERKALO_INLINE GlossParts parts_in(TileSpread& spread) {
+    for (auto& channel : spread.parts) {
+        for (float& sum : channel) sum = 0;
     }
+    using OfClasses = GlossParts::OfClasses;
+    return {reinterpret_cast<OfClasses*>(spread.parts[0]), reinterpret_cast<OfClasses*>(spread.parts[1]),
+            reinterpret_cast<OfClasses*>(spread.parts[2]), reinterpret_cast<OfClasses*>(spread.parts[3])};
 }
 
 template <class R>

@@ -9,18 +9,23 @@
 namespace zerkalo {
 
 using R = Real<ZERKALO_WIDTH>;
-// The general kernel keeps whole packets of rays on its stack, the others sums or outlines: at 16 lanes they would not fit
-// into 24 KB.
+// The general kernel keeps whole packets of rays on its stack, aided lobe rays what is known before them: at 16 lanes they
+// would not fit into 24 KB.
 using G = Real<(ZERKALO_WIDTH < 8 ? ZERKALO_WIDTH : 8)>;
-template <Bounce bounce>
-using LanesOf = std::conditional_t<bounce == Bounce::covered_lobe, G, R>;
 
 namespace {
 
-template <Bounce bounce>
-void one_bounce(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
+void sharp(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
     const IeeeMode ieee;
-    render_tile_one_bounce<LanesOf<bounce>, bounce>(plan, tile, image, counts);
+    render_tile_sharp<R>(plan, tile, image, counts);
+}
+void lobe(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
+    const IeeeMode ieee;
+    render_tile_lobe<R>(plan, tile, image, counts);
+}
+void covered(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
+    const IeeeMode ieee;
+    render_tile_aided<R, G>(plan, tile, image, counts, nullptr);
 }
 void general(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
     const IeeeMode ieee;
@@ -31,14 +36,13 @@ void general(const Plan& plan, const Rect& tile, const LinearImage& image, RayCo
 void sharp_with_spread(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
                        TileSpread& spread) {
     spread = {};
-    one_bounce<Bounce::sharp>(plan, tile, image, counts);
+    sharp(plan, tile, image, counts);
 }
-template <Bounce bounce>
 void lobe_with_spread(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
                       TileSpread& spread) {
     const IeeeMode ieee;
     spread = {};
-    render_tile_one_bounce<G, bounce, true>(plan, tile, image, counts, &spread);
+    render_tile_aided<R, G>(plan, tile, image, counts, &spread);
 }
 void general_with_spread(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
                          TileSpread& spread) {
@@ -50,9 +54,7 @@ void general_with_spread(const Plan& plan, const Rect& tile, const LinearImage& 
 }  // namespace
 
 extern const KernelTable ZERKALO_TABLE;
-const KernelTable ZERKALO_TABLE = {
-    {&one_bounce<Bounce::sharp>, &one_bounce<Bounce::lobe>, &one_bounce<Bounce::covered_lobe>, &general},
-    {&sharp_with_spread, &lobe_with_spread<Bounce::lobe>, &lobe_with_spread<Bounce::covered_lobe>,
-     &general_with_spread}};
+const KernelTable ZERKALO_TABLE = {{&sharp, &lobe, &covered, &general},
+                                   {&sharp_with_spread, &lobe_with_spread, &lobe_with_spread, &general_with_spread}};
 
 }  // namespace zerkalo

@@ -44,13 +44,13 @@ ZERKALO_INLINE Rgb<R> queue_gloss(const Plan& plan, const TileView& view, const 
     return select(waiting, spread<R>(Rgb<float>{0, 0, 0}), spread<R>(background));
 }
 
-/// What the mirror does with a ray: one ray on, a lobe of rays, or a lobe whose solids are covered before its rays.
-enum class Bounce { sharp, lobe, covered_lobe };
+/// In place of queues where no pixel waits: the mirror is polished.
+struct NoQueues {};
 
-/// The colours of one packet, without what waits in the queue.
-template <bool Glossy, class R>
+/// The colours of one packet, without what waits in the queues.
+template <class R, class Queues>
 ZERKALO_INLINE Rgb<R> packet_light(const Plan& plan, const TileView& view, Vec3<R> towards, Mask<R> active, int first,
-                                   GlossQueues& queues, TileCounts& counts) {
+                                   Queues& queues, TileCounts& counts) {
     const Vec3<R> d = towards * (R(1) / sqrt(dot(towards, towards)));
     const SharedOrigin& camera = plan.camera_origin;
     Nearest<R> near = nearest_solid(plan, view.seen, camera, d);
@@ -75,72 +75,143 @@ ZERKALO_INLINE Rgb<R> packet_light(const Plan& plan, const TileView& view, Vec3<
     Rgb<R> seen = local_light(plan, spot, surface, view.mirror_blockers, surface.unlit_by, counts);
     if (front && mirror.reflects) {
         Rgb<R> reflected;
-        if constexpr (Glossy) {
-            reflected = queue_gloss(plan, view, spot, first, queues);
-        } else {
+        if constexpr (std::is_same_v<Queues, NoQueues>) {
             reflected = sharp_reflection(plan, view, spot, counts);
+        } else {
+            reflected = queue_gloss(plan, view, spot, first, queues);
         }
         seen = seen + mirror.reflectance * reflected;
     }
     return select(on_mirror, seen, light);
 }
 
-/// Renders one tile. R: the lanes; Spread: tell how sure the average is.
-template <class R, Bounce bounce, bool Spread = false>
-inline void render_tile_one_bounce(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
-                                   TileSpread* spread_of_tile = nullptr) {
-    constexpr bool Glossy = bounce != Bounce::sharp, Covered = bounce == Bounce::covered_lobe;
+/// The tile's pixels as the camera's rays through one place of each see them, without what waits in the queues.
+/// A function of its own: the kernels of an unpolished mirror share it.
+template <class R, class Queues>
+ZERKALO_ONCE void trace_camera(const Plan& plan, const Rect& tile, const TileView& view, SubPixel at, bool add,
+                               TileColours& colours, Queues& queues, TileCounts& counts) {
+    const bool whole = tile.width == kTileSide && tile.height == kTileSide;
+    TileColumns<R> columns;
+    fill_columns(columns, plan, tile, at);
+    for (int first = 0; first < tile.height * kTileSide; first += kWidth<R>) {
+        auto active = Mask<R>(true);
+        if (!whole) {
+            active = lanes_inside<R>(tile, first);
+            if (none(active)) continue;
+        }
+        const Vec3<R> column = columns.towards[first / kWidth<R> % TileColumns<R>::kPackets];
+        const Vec3<R> towards = towards_pixel(plan.camera, column, twice_upwards(plan, row_lanes<R>(tile, first), at));
+        put(colours, first, packet_light(plan, view, towards, active, first, queues, counts), add);
+    }
+}
+
+/// Counts the tile's camera rays and finds what they can see. False: nothing, and the tile is done.
+template <class R>
+ZERKALO_INLINE bool begin_tile(TileView& view, const Plan& plan, const Rect& tile, const LinearImage& image,
+                             RayCounts& counts) {
     counts.primary += static_cast<std::uint64_t>(tile.width) * static_cast<std::uint64_t>(tile.height) *
                       static_cast<std::uint64_t>(plan.antialias);
-    TileView view = view_of_tile<R>(plan, tile);
-    if (view.seen == 0) return fill_tile<R>(plan, tile, image);
-    TileColours colours;
-    TileCounts tile_counts;
-    GlossQueues queues;
-    queues.waiting = 0;
-    queues.tile = tile_hash(plan, tile);
-    const LatticeClasses classes = lattice_classes(queues.tile);
-    if (Glossy && mirrors_in(view.seen) != 0) view.in_lobe = candidates_of_tile<R>(plan, tile);
-    std::conditional_t<Covered, TileCover, NoCover> cover;
-    std::conditional_t<Covered, CoverGrid, NoCover> grid;
-    [[maybe_unused]] bool cover_is_known = false;
-    const bool whole = tile.width == kTileSide && tile.height == kTileSide;
-    for (std::int32_t a = 0; a < plan.antialias; ++a) {
-        const SubPixel at = sub_pixel<float>(a, plan.antialias);
-        TileColumns<R> columns;
-        fill_columns(columns, plan, tile, at);
-        for (int first = 0; first < tile.height * kTileSide; first += kWidth<R>) {
-            auto active = Mask<R>(true);
-            if (!whole) {
-                active = lanes_inside<R>(tile, first);
-                if (none(active)) continue;
-            }
-            const Vec3<R> column = columns.towards[first / kWidth<R> % TileColumns<R>::kPackets];
-            const Vec3<R> towards = towards_pixel(plan.camera, column, twice_upwards(plan, row_lanes<R>(tile, first), at));
-            const Rgb<R> light = packet_light<Glossy>(plan, view, towards, active, first, queues, tile_counts);
-            put(colours, first, light, a > 0);
-        }
-        if constexpr (Glossy) {
-            if (queues.waiting == 0) continue;
-            if constexpr (Covered) {
-                if (!cover_is_known) {
-                    cover_tile<R>(cover, plan, tile, tile_counts);
-                    if (cover.smooth) fill_grid<R>(grid, cover, plan, tile);
-                }
-                cover_is_known = true;
-                add_covered<R>(cover, grid, queues, plan, at, colours, tile_counts);
-            }
-            flush<R, Spread>(queues, classes, plan, plan.mirrors[0], view.in_lobe, cover, static_cast<std::uint32_t>(a),
-                             colours, spread_of_tile, tile_counts);
-        }
-    }
+    view = view_of_tile<R>(plan, tile);
+    if (view.seen != 0) return true;
+    fill_tile<R>(plan, tile, image);
+    return false;
+}
+
+template <class R>
+ZERKALO_INLINE void finish_tile(TileColours& colours, const TileCounts& tile_counts, const Plan& plan, const Rect& tile,
+                              const LinearImage& image, RayCounts& counts) {
     if (plan.antialias > 1) average<R>(colours, plan.antialias);
-    if constexpr (Spread) average(*spread_of_tile, plan.antialias);
     write_tile<R>(plan, colours, tile, image);
     counts.reflected += tile_counts.reflected;
     counts.lobe += tile_counts.lobe;
     counts.shadow += tile_counts.shadow;
-    if constexpr (Covered) counts.covered += tile_counts.covered, counts.sampled += tile_counts.sampled;
+    counts.covered += tile_counts.covered;
+    counts.sampled += tile_counts.sampled;
+}
+
+/// Renders one tile of a scene whose mirror, if it has one, is polished.
+template <class R>
+inline void render_tile_sharp(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
+    TileView view;
+    if (!begin_tile<R>(view, plan, tile, image, counts)) return;
+    TileColours colours;
+    TileCounts tile_counts;
+    NoQueues queues;
+    for (std::int32_t a = 0; a < plan.antialias; ++a) {
+        trace_camera<R>(plan, tile, view, sub_pixel<float>(a, plan.antialias), a > 0, colours, queues, tile_counts);
+    }
+    finish_tile<R>(colours, tile_counts, plan, tile, image, counts);
+}
+
+/// Renders one tile of a scene whose mirror is unpolished. `trace` is told the waiting pixels of each camera ray.
+template <class R, class Trace>
+ZERKALO_INLINE void render_tile_glossy(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
+                                       const Trace& trace) {
+    TileView view;
+    if (!begin_tile<R>(view, plan, tile, image, counts)) return;
+    GlossQueues queues;
+    queues.waiting = 0;
+    queues.tile = tile_hash(plan, tile);
+    const LatticeClasses classes = lattice_classes(queues.tile);
+    if (mirrors_in(view.seen) != 0) view.in_lobe = candidates_of_tile<R>(plan, tile);
+    TileColours colours;
+    TileCounts tile_counts;
+    for (std::int32_t a = 0; a < plan.antialias; ++a) {
+        const SubPixel at = sub_pixel<float>(a, plan.antialias);
+        trace_camera<R>(plan, tile, view, at, a > 0, colours, queues, tile_counts);
+        if (queues.waiting != 0) trace(queues, classes, view.in_lobe, a, at, colours, tile_counts);
+    }
+    finish_tile<R>(colours, tile_counts, plan, tile, image, counts);
+}
+
+/// With lobe rays alone.
+template <class R>
+inline void render_tile_lobe(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
+    render_tile_glossy<R>(plan, tile, image, counts,
+                          [&](GlossQueues& queues, const LatticeClasses& classes, CandidateMask candidates,
+                              std::int32_t a, SubPixel, TileColours& colours, TileCounts& tile_counts) {
+        flush<R>(queues, classes, plan, plan.mirrors[0], candidates, NoAids{}, static_cast<std::uint32_t>(a), colours,
+                 tile_counts);
+    });
+}
+
+/// Covered solids of a tile, and their light where it is interpolated between.
+struct CoveredTile {
+    TileCover cover;
+    CoverGrid grid;
+    bool known = false;
+};
+
+/// Adds the covered light of the waiting pixels.
+template <class R>
+ZERKALO_INLINE void cover_lobes(CoveredTile& covered, const GlossQueues& queues, const Plan& plan, const Rect& tile,
+                                SubPixel at, TileColours& colours, TileCounts& counts) {
+    if (!covered.known) {
+        cover_tile<R>(covered.cover, plan, tile, counts);
+        if (covered.cover.smooth) fill_grid<R>(covered.grid, covered.cover, plan, tile);
+        covered.known = true;
+    }
+    add_covered<R>(covered.cover, covered.grid, queues, plan, at, colours, counts);
+}
+
+/// With solids that are covered before the lobe rays, if the plan says so, and telling how sure the average is, if
+/// `spread` is not null. G: the lanes of the lobe's rays, where R may be too many for the stack.
+template <class R, class G>
+inline void render_tile_aided(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
+                              TileSpread* spread) {
+    const bool covers = (plan.features & kFeatureCoverage) != 0;
+    CoveredTile covered;
+    covered.cover.count = 0;
+    LobeAids aids{covered.cover, spread, {}};
+    render_tile_glossy<R>(plan, tile, image, counts,
+                          [&](GlossQueues& queues, const LatticeClasses& classes, CandidateMask candidates,
+                              std::int32_t a, SubPixel at, TileColours& colours, TileCounts& tile_counts) {
+        if (covers) cover_lobes<G>(covered, queues, plan, tile, at, colours, tile_counts);
+        if (spread != nullptr) aids.parts = parts_in(*spread);
+        flush<G>(queues, classes, plan, plan.mirrors[0], candidates, aids, static_cast<std::uint32_t>(a), colours,
+                 tile_counts);
+    });
+    if (spread != nullptr) average(*spread, plan.antialias);
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA
