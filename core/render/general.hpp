@@ -47,16 +47,6 @@ ZERKALO_INLINE void trace_one(const PlanFor<R>& plan, const TileView& view, cons
     }
 }
 
-/// The background, for the rays of the job that are known to miss everything: as many as the sum has not seen yet.
-template <class R>
-ZERKALO_INLINE void add_missed(const PlanFor<R>& plan, const PathPacket<R>& job, std::int32_t missed,
-                               Rgb<LightSum<R>>& sum) {
-    if (missed == 0) return;
-    const Rgb<Weight<R>> all{times(job.throughput.r, missed), times(job.throughput.g, missed),
-                             times(job.throughput.b, missed)};
-    add<R>(sum, job.active, all, spread<Radiance<R>>(plan.background));
-}
-
 /// Takes the next packet of rays off the stack: a waiting one, or the next lattice ray of the job on top.
 /// Returns false where all rays of the job's step are done with.
 template <class R>
@@ -78,7 +68,7 @@ ZERKALO_INLINE bool next_packet(const PlanFor<R>& plan, PathStack<R>& stack, con
         if (job.target_count > 0) {
             candidates = solids_met<R>(job, point, top.active);
             job.missed += candidates == 0;
-            if (last) add_missed<R>(plan, top, job.missed, sum);
+            if (last) add_missed<R>(plan, top.active, top.throughput, job.missed, sum);
             if (candidates == 0) {
                 counts.lobe += count_of(top.active);
                 ray.after_lobe = false;  // nothing was added for it alone

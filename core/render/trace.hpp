@@ -81,6 +81,15 @@ ZERKALO_INLINE void add(Rgb<LightSum<R>>& sum, Mask<R> mask, Rgb<Weight<R>> thro
     sum = {plus_where(mask, sum.r, share.r), plus_where(mask, sum.g, share.g), plus_where(mask, sum.b, share.b)};
 }
 
+/// The background, for as many rays that are known to miss everything.
+template <class R>
+ZERKALO_INLINE void add_missed(const PlanFor<R>& plan, Mask<R> mask, Rgb<Weight<R>> throughput, std::int32_t missed,
+                               Rgb<LightSum<R>>& sum) {
+    if (missed == 0) return;
+    const Rgb<Weight<R>> all{times(throughput.r, missed), times(throughput.g, missed), times(throughput.b, missed)};
+    add<R>(sum, mask, all, spread<Radiance<R>>(plan.background));
+}
+
 /// Lanes of `mask` go on along d from p with the given weight.
 template <class R>
 ZERKALO_INLINE void go_on(PathPacket<R>& next, Mask<R> mask, Vec3<Length<R>> p, Vec3<Direction<R>> d,
@@ -142,28 +151,40 @@ ZERKALO_INLINE void continue_at_solid(const PathPacket<R>& ray, const SolidPlanF
     }
 }
 
+/// What rays from o along d have met: the solids' local light, times the throughput. `then` is told each solid, the
+/// points, normals, surfaces and lanes.
+template <class R, class Then>
+ZERKALO_INLINE void light_solids(const PlanFor<R>& plan, CandidateMask candidates, const AnyHit<R>& hit,
+                                 Vec3<Length<R>> o, Vec3<Direction<R>> d, Mask<R> active, Rgb<Weight<R>> throughput,
+                                 Rgb<LightSum<R>>& sum, TileCounts& counts, const Then& then) {
+    for (CandidateMask left = solids_in(candidates); left != 0; left &= left - 1) {
+        const int k = first_of(left);
+        const SolidPlanFor<R>& solid = plan.solids[k];
+        const auto here = active & (hit.id == Index<R>(solid.id));
+        if (none(here)) continue;
+        const Vec3<Length<R>> p = o + as<Length<R>>(d * hit.t);
+        const Vec3<Direction<R>> n = normal_towards<R>(plan, solid, p, hit.face, d, Mask<R>(here));
+        const Departure<R> spot{Index<R>(solid.id), hit.face, hit.from_inside};
+        const bool own_counts = solid.shape == ShapeKind::mesh || any(here & hit.from_inside);
+        const CandidateMask own = own_counts ? CandidateMask{1} << k : 0;
+        add<R>(sum, here, throughput,
+               local_light_anywhere<R>(plan, p, n, d, spot, here, solid.surface, solid.blockers, own, counts));
+        then(solid, p, n, spot, Mask<R>(here));
+    }
+}
+
 /// Local light of every solid that the packet has met, and where its rays go on.
 template <class R>
 ZERKALO_INLINE void shade_solids(const PlanFor<R>& plan, const PathPacket<R>& ray, const AnyHit<R>& hit,
                                  Rgb<LightSum<R>>& sum, Continuations<R>& next, TileCounts& counts) {
-    for (CandidateMask left = solids_in(ray.candidates); left != 0; left &= left - 1) {
-        const int k = first_of(left);
-        const SolidPlanFor<R>& solid = plan.solids[k];
-        const auto here = ray.active & (hit.id == Index<R>(solid.id));
-        if (none(here)) continue;
-        const Vec3<Length<R>> p = ray.o + as<Length<R>>(ray.d * hit.t);
-        const Vec3<Direction<R>> n = normal_towards<R>(plan, solid, p, hit.face, ray.d, Mask<R>(here));
-        const Departure<R> spot{Index<R>(solid.id), hit.face, hit.from_inside};
-        const bool own_counts = solid.shape == ShapeKind::mesh || any(here & hit.from_inside);
-        const CandidateMask own = own_counts ? CandidateMask{1} << k : 0;
-        add<R>(sum, here, ray.throughput,
-            local_light_anywhere<R>(plan, p, n, ray.d, spot, here, solid.surface, solid.blockers, own,
-                                 counts));
+    light_solids<R>(plan, ray.candidates, hit, ray.o, ray.d, ray.active, ray.throughput, sum, counts,
+                    [&](const SolidPlanFor<R>& solid, const Vec3<Length<R>>& p, const Vec3<Direction<R>>& n,
+                        const Departure<R>& spot, const Mask<R>& here) ZERKALO_INLINE_LAMBDA {
         const auto& transport = solid.transport;
         if (ray.depth < plan.depth_limit && (reflects(transport) || transmits(transport))) {
             continue_at_solid<R>(ray, solid, p, n, spot, here, next, counts);
         }
-    }
+    });
 }
 
 /// A single random ray of a lobe, for unpolished mirrors behind the first: uniform in energy, from the path's key.
@@ -226,35 +247,53 @@ ZERKALO_INLINE void continue_at_mirror(const PlanFor<R>& plan, const PathPacket<
     }
 }
 
+/// Where rays from o along d have met mirror m, and the side that they see.
+template <class R>
+struct MirrorSpot {
+    Vec3<Length<R>> p;
+    Vec3<Direction<R>> n;  // towards the viewer
+    Departure<R> spot;
+    Mask<R> front;
+};
+
+/// Local light of both sides of a mirror, times the throughput.
+template <class R>
+ZERKALO_INLINE MirrorSpot<R> light_mirror(const PlanFor<R>& plan, int m, const Blockers& blockers,
+                                          const AnyHit<R>& hit, Vec3<Length<R>> o, Vec3<Direction<R>> d, Mask<R> here,
+                                          Rgb<Weight<R>> throughput, Rgb<LightSum<R>>& sum, TileCounts& counts) {
+    const MirrorPlanFor<R>& mirror = plan.mirrors[m];
+    const Vec3<Direction<R>> outward = mirror_normal(mirror.shape, hit.x, hit.y, hit.z);
+    const auto front = here & (dot(outward, d) < Square<R>(0));
+    const MirrorSpot<R> at{o + as<Length<R>>(d * hit.t),
+                           select(front, outward, -outward),
+                           {index_of<R>(kMaxSolids + m), Index<R>(0), mask_of<R>(false)},
+                           Mask<R>(front)};
+    for (int side = 0; side < 2; ++side) {
+        const Mask<R> seen = side == 0 ? Mask<R>(front) : Mask<R>(here & (!front));
+        if (none(seen)) continue;
+        const SurfaceFor<R>& surface = side == 0 ? mirror.front : mirror.back;
+        add<R>(sum, seen, throughput,
+               local_light_anywhere<R>(plan, at.p, at.n, d, at.spot, seen, surface, blockers, 0, counts));
+    }
+    return at;
+}
+
 /// Local light of every mirror that the packet has met; where its rays go on; the lobe job that it starts.
 template <class R>
 ZERKALO_INLINE void shade_mirrors(const PlanFor<R>& plan, const TileView& view, const PathPacket<R>& ray,
                                   const AnyHit<R>& hit, const PathKey<R>& key, Rgb<LightSum<R>>& sum,
                                   Continuations<R>& next, TileCounts& counts) {
-    using D = Direction<R>;
     for (CandidateMask left = mirrors_in(ray.candidates); left != 0; left &= left - 1) {
         const int m = first_of(left);
         const MirrorPlanFor<R>& mirror = plan.mirrors[m];
-        const auto id = index_of<R>(kMaxSolids + m);
-        const auto here = ray.active & (hit.id == id);
+        const auto here = ray.active & (hit.id == index_of<R>(kMaxSolids + m));
         if (none(here)) continue;
-        const Vec3<Length<R>> p = ray.o + as<Length<R>>(ray.d * hit.t);
-        const Vec3<D> outward = mirror_normal(mirror.shape, hit.x, hit.y, hit.z);
-        const auto along = dot(outward, ray.d);
-        const auto front = here & (along < Square<R>(0));
-        const Vec3<D> n = select(front, outward, -outward);
-        const Departure<R> spot{id, Index<R>(0), mask_of<R>(false)};
         const bool of_tile = Formats<R>::kFixed && ray.depth == 0 && plan.mirror_count == 1;
         const Blockers& blockers = of_tile ? view.mirror_blockers : mirror.blockers;
-        for (int side = 0; side < 2; ++side) {
-            const Mask<R> seen = side == 0 ? Mask<R>(front) : Mask<R>(here & (!front));
-            if (none(seen)) continue;
-            const SurfaceFor<R>& surface = side == 0 ? mirror.front : mirror.back;
-            add<R>(sum, seen, ray.throughput,
-                local_light_anywhere<R>(plan, p, n, ray.d, spot, seen, surface, blockers, 0, counts));
-        }
-        if (mirror.reflects && ray.depth < plan.depth_limit && any(front)) {
-            continue_at_mirror<R>(plan, ray, mirror, p, n, spot, front, key, sum, next, counts);
+        const MirrorSpot<R> at =
+            light_mirror<R>(plan, m, blockers, hit, ray.o, ray.d, here, ray.throughput, sum, counts);
+        if (mirror.reflects && ray.depth < plan.depth_limit && any(at.front)) {
+            continue_at_mirror<R>(plan, ray, mirror, at.p, at.n, at.spot, at.front, key, sum, next, counts);
         }
     }
 }

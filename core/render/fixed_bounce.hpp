@@ -1,0 +1,89 @@
+// The fixed-point kernel for scenes whose rays bounce at most once (the scenes of one_bounce.hpp). The same light as the
+// general kernel's, to the last bit: its sums are exact, so they may be added in any order.
+//
+//     camera rays -> local light; the mirror's pixels wait -> sorted by lattice class -> their lobes
+//
+// The lobes of one class share the directions of their rays, in the lobe's own frame: which of them may meet a solid is
+// asked once for a packet, with rays in the lanes.
+#pragma once
+
+#include "core/render/fixed_lobes.hpp"
+#include "core/render/packet.hpp"
+
+namespace zerkalo::inline ZERKALO_ISA {
+
+/// What the only mirror's front reflects: one ray on, or a lobe that waits.
+template <class R>
+ZERKALO_INLINE void reflect_once(const PlanFor<R>& plan, const MirrorSpot<R>& at, Vec3<Direction<R>> d, int first,
+                                 WaitingLobes& waiting, Rgb<LightSum<R>>& sum, TileCounts& counts) {
+    using W = Weight<R>;
+    const MirrorPlanFor<R>& mirror = plan.mirrors[0];
+    const Rgb<W> throughput = spread<W>(mirror.reflectance);
+    const Vec3<Direction<R>> m = reflect(d, at.n);
+    if (mirror.lobe.glossy) {
+        CandidateMask candidates;
+        const Mask<R> sending = lanes_with_rays<R>(plan, mirror.lobe, at.p, m, part_of_lobe<R>(plan), at.front,
+                                                   candidates, sum);
+        if (any(sending)) enqueue<R>(waiting, sending, at.p, m, candidates, first);
+        return;
+    }
+    counts.reflected += count_of(at.front);
+    add_seen<R>(plan, all_of(plan), false, at.p, m, at.spot, at.front, throughput, sum, counts);
+}
+
+/// The light that comes along the camera rays of one packet, without what waits.
+template <class R>
+ZERKALO_INLINE Rgb<LightSum<R>> camera_light(const PlanFor<R>& plan, const TileView& view, const CameraRay<R>& camera,
+                                             Mask<R> active, int first, WaitingLobes& waiting, TileCounts& counts) {
+    using W = Weight<R>;
+    const Rgb<W> whole{W(1), W(1), W(1)};
+    Rgb<LightSum<R>> sum{LightSum<R>(0), LightSum<R>(0), LightSum<R>(0)};
+    const Departure<R> from = departure_of_camera<R>(plan.camera, camera.d);
+    const AnyHit<R> hit = add_seen<R>(plan, view.seen, false, camera.o, camera.d, from, active, whole, sum, counts);
+    const auto here = active & (hit.id == index_of<R>(kMaxSolids));
+    if (none(here)) return sum;
+    const MirrorSpot<R> at =
+        light_mirror<R>(plan, 0, view.mirror_blockers, hit, camera.o, camera.d, here, whole, sum, counts);
+    if (plan.mirrors[0].reflects && any(at.front)) reflect_once<R>(plan, at, camera.d, first, waiting, sum, counts);
+    return sum;
+}
+
+/// Renders one tile. Precondition: plan.features without kNeedsGeneral.
+template <class R>
+ZERKALO_ONCE void render_tile_one_bounce_fixed(const PlanFor<R>& plan, const Rect& tile, const LinearImage& image,
+                                               RayCounts& counts) {
+    counts.primary += static_cast<std::uint64_t>(tile.width) * static_cast<std::uint64_t>(tile.height) *
+                      static_cast<std::uint64_t>(plan.antialias);
+    const TileView view = view_of_tile<R>(plan, tile);
+    if (view.seen == 0) return fill_tile<R>(plan, tile, image);
+    FixedColours colours;
+    LightSums sums;
+    WaitingLobes waiting;
+    TileCounts tile_counts;
+    for (std::int32_t a = 0; a < plan.antialias; ++a) {
+        const auto at = sub_pixel<Uniform<R>>(a, plan.antialias);
+        TileColumns<R> columns;
+        fill_columns(columns, plan, tile, at);
+        waiting.pixels = 0;
+        waiting.candidates = 0;
+        for (int first = 0; first < tile.height * kTileSide; first += kWidth<R>) {
+            const auto active = lanes_inside<R>(tile, first);
+            if (none(active)) continue;
+            const CameraRay<R> camera = camera_ray<R>(plan, columns, tile, first, at);
+            store_sum<R>(sums, first, camera_light<R>(plan, view, camera, active, first, waiting, tile_counts));
+        }
+        if (waiting.pixels != 0) {
+            trace_lobes<R>(plan, waiting, tile_hash(plan, tile), static_cast<std::uint32_t>(a), sums, tile_counts);
+        }
+        for (int first = 0; first < tile.height * kTileSide; first += kWidth<R>) {
+            put(colours, first, load_sum<R>(sums, first), a > 0);
+        }
+    }
+    if (plan.antialias > 1) average<R>(colours, plan.antialias);
+    write_tile<R>(plan, colours, tile, image);
+    counts.reflected += tile_counts.reflected;
+    counts.lobe += tile_counts.lobe;
+    counts.shadow += tile_counts.shadow;
+}
+
+}  // namespace zerkalo::inline ZERKALO_ISA
