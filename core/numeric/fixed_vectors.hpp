@@ -117,7 +117,7 @@ ZERKALO_INLINE To as(Fixed<A, F> value) {
 /// A word times 64 bits, rounded once.
 template <class To, class A, int FA, class B, int FB>
     requires InVectors<A, B> && SingleWord<A> && (!SingleWord<B>) &&
-             ((SingleWord<typename To::Representation> && FA + FB - To::kFraction > 33) ||
+             ((SingleWord<typename To::Representation> && FA + FB - To::kFraction > 32) ||
               (!SingleWord<typename To::Representation> && FA + FB - To::kFraction <= 32))
 ZERKALO_INLINE To product(Fixed<A, FA> a, Fixed<B, FB> b) {
     constexpr int kShift = FA + FB - To::kFraction;
@@ -155,7 +155,7 @@ ZERKALO_INLINE To quotient(Fixed<A, FA> a, Fixed<B, FB> b) {
     constexpr int kShift = To::kFraction - FA + FB;
     if constexpr (SingleWord<A>) {
         return fixed_of<To::kFraction>(
-            rounded_quotient(raised_longs<kShift>(registers_of(a.raw)), registers_of(b.raw)));
+            rounded_quotient<kShift>(registers_of(a.raw), registers_of(b.raw)));
     } else {
         static_assert(kShift == 0);
         return fixed_of<To::kFraction>(rounded_quotient(registers_of(a.raw), registers_of(b.raw)));

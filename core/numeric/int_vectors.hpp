@@ -52,6 +52,7 @@ template <class V>
 struct PartsOf<V, 2> { V even, odd; };
 using Longs = PartsOf<Quads, kParts>;
 using UnsignedLongs = PartsOf<UnsignedQuads, kParts>;
+using DoubleParts = PartsOf<Doubles, kParts>;
 
 /// The same function of each register.
 template <class F, class... X>

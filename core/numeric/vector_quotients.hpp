@@ -2,7 +2,7 @@
 // integers, lane by lane.
 //
 // Quotients and roots start from the float unit's, which IEEE 754 defines to the last bit; both are then within 1/2 and
-// a few 2^-20 of the exact value, and the remainder, an exact integer, decides.
+// a few 2^-20 of the exact value, and where that cannot tell the remainder, an exact integer, decides.
 #pragma once
 
 #include "core/numeric/vector_lanes.hpp"
@@ -19,25 +19,54 @@ ZERKALO_INLINE UnsignedQuads magnitude_of(Quads x) {
     return UnsignedQuads((x ^ sign) - sign);
 }
 
-/// a / b to nearest, ties away from zero, held at the ends; of a / 0 the end of a's sign, of 0 / 0 the upper one.
-ZERKALO_INLINE Words rounded_quotient(const Longs& a, Words b) {
-    constexpr double kHeld = 0x1.fffffffbp+30;  // rounds to the largest word
-    const auto whole = each_part(
-        [](Quads x, Quads y) ZERKALO_INLINE_LAMBDA { return double_of(x) / double_of_small(y); }, a, widened(b));
-    const Longs estimate = each_part([](Doubles q) ZERKALO_INLINE_LAMBDA { return nearest_in_low_words(q); }, whole);
-    const Words fits = narrow_mask(each_part(
-        [](Doubles q) ZERKALO_INLINE_LAMBDA { return Quads((q < kHeld) & (q > -kHeld)); }, whole));
-    const Words q = low_words(estimate);
-    // The rest is less than b; where nothing fits it means nothing.
+/// The step from the float unit's quotient q of a by b, rounded, to the integer nearest to a / b, ties away from zero.
+/// Where |a / b| is 2^31 or more it means nothing.
+ZERKALO_ONCE Words last_step(const Longs& a, Words b, Words q) {
+    // The rest is less than b.
     const Longs product = full_product(q, b);
     const Words rest = low_words(each_part(
         [](Quads x, Quads y) ZERKALO_INLINE_LAMBDA { return Quads(UnsignedQuads(x) - UnsignedQuads(y)); }, a, product));
     const Words sign = sign_of(high_words(a));
     // |rest / b| > 1/2, or = 1/2 and on the far side of q: 2 |rest| + 1 > |b| where the rest has a's sign.
     const UnsignedWords bound = (magnitude_of(b) + UnsignedWords(~sign_of(rest ^ sign))) >> 1;
-    const Words step = Words(Words(magnitude_of(rest)) > Words(bound)) & (sign_of(rest ^ b) | 1);
+    return Words(Words(magnitude_of(rest)) > Words(bound)) & (sign_of(rest ^ b) | 1);
+}
+
+/// a / b to nearest, ties away from zero, held at the ends; of a / 0 the end of a's sign, of 0 / 0 the upper one.
+/// `dividend`: the doubles nearest to a; `whole()`: a itself, asked for where these cannot tell; `sign`: sign_of(a).
+template <class Whole>
+ZERKALO_INLINE Words rounded_quotient(const DoubleParts& dividend, Words sign, Words b, const Whole& whole) {
+    constexpr double kHeld = 0x1.fffffffbp+30;  // rounds to the largest word
+    // Dividend and quotient, below 2^31, are each rounded by 2^-22 at most.
+    constexpr double kNearHalf = 0.5 - 0x1p-20;
+    struct Answer {
+        Quads quotient, fits, close;
+    };
+    const auto answer = each_part(
+        [](Doubles x, Quads y) ZERKALO_INLINE_LAMBDA {
+            const Doubles q = x / double_of_small(y), rounded = q + 0x1.8p52;
+            const Doubles off = q - (rounded - 0x1.8p52);
+            const Quads fits = Quads((q < kHeld) & (q > -kHeld));
+            return Answer{Quads(rounded), fits, fits & Quads((off > kNearHalf) | (off < -kNearHalf))};
+        },
+        dividend, widened(b));
+    Words q = low_words(each_part([](const Answer& x) ZERKALO_INLINE_LAMBDA { return x.quotient; }, answer));
+    const Words fits = narrow_mask(each_part([](const Answer& x) ZERKALO_INLINE_LAMBDA { return x.fits; }, answer));
+    const Words close = narrow_mask(each_part([](const Answer& x) ZERKALO_INLINE_LAMBDA { return x.close; }, answer));
+    if (signs_of(close) != 0) q = q + last_step(whole(), b, q);
     const Words end = sign_of(sign ^ b);
-    return where_negative(fits, q + step, (end ^ kMostWord) - end);
+    return where_negative(fits, q, (end ^ kMostWord) - end);
+}
+ZERKALO_INLINE Words rounded_quotient(const Longs& a, Words b) {
+    const DoubleParts dividend = each_part([](Quads x) ZERKALO_INLINE_LAMBDA { return double_of(x); }, a);
+    return rounded_quotient(dividend, sign_of(high_words(a)), b, [&a]() ZERKALO_INLINE_LAMBDA { return a; });
+}
+/// a 2^Up / b, 0 <= Up <= 31.
+template <int Up>
+ZERKALO_INLINE Words rounded_quotient(Words a, Words b) {
+    const DoubleParts dividend = each_part(
+        [](Quads x) ZERKALO_INLINE_LAMBDA { return double_of_small(x) * double(std::int64_t{1} << Up); }, widened(a));
+    return rounded_quotient(dividend, sign_of(a), b, [a]() ZERKALO_INLINE_LAMBDA { return raised_longs<Up>(a); });
 }
 
 /// The integer nearest to the square root of x; 0 for x < 0. As 64 bits: the root may have 32.
@@ -63,7 +92,7 @@ ZERKALO_INLINE Words nearest_root(const Longs& x) {
 /// a b / 2^Shift of the exact 96-bit product as in rescaled_product(): words from more than 32 bits down.
 template <int Shift>
 ZERKALO_INLINE Words rescaled_product_words(Words a, const Longs& b) {
-    static_assert(Shift > 33 && Shift < 64);
+    static_assert(Shift > 32 && Shift < 64);
     const Words sign = sign_of(a ^ high_words(b));
     const Longs size = each_part(
         [](UnsignedQuads x, Quads y) ZERKALO_INLINE_LAMBDA {

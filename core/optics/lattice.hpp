@@ -66,7 +66,6 @@ ZERKALO_INLINE Sampling sampling_of(Estimator estimator, std::uint32_t rotation)
     return {estimator, hash_bits(hash_bits(rotation)), step | 1};
 }
 
-constexpr int kLatticeClasses = 4;
 
 /// The two bits of the class of each pixel of an 8x8 tile; bit p of a mask is pixel p, row-major.
 struct LatticeClasses {

@@ -83,10 +83,25 @@ struct LobeProfile {
 constexpr int kChunk = 64;         // lattice points held at a time: one bit each in a mask
 constexpr int kChunkPadding = 16;  // of the widest lane
 
+constexpr int kLatticeClasses = 4;
+
 /// A run of lattice points in lobe coordinates (optics/lattice.hpp).
 struct LatticeChunk {
     float side[kChunk + kChunkPadding], up[kChunk + kChunkPadding], forward[kChunk + kChunkPadding];
     std::int32_t count;
+};
+
+constexpr std::int32_t kRayChunk = 32;
+using RayMask = std::uint32_t;  // bit i: ray i of a chunk
+
+/// The same in fixed point, as raw integers of directions.
+struct RayChunk {
+    std::int32_t side[kRayChunk], up[kRayChunk], forward[kRayChunk];
+};
+/// Of each class of pixels.
+struct ClassRays {
+    std::int32_t count;
+    RayChunk of_class[kLatticeClasses];
 };
 
 }  // namespace zerkalo

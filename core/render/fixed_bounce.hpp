@@ -18,7 +18,6 @@ ZERKALO_INLINE void reflect_once(const PlanFor<R>& plan, const MirrorSpot<R>& at
                                  WaitingLobes& waiting, Rgb<LightSum<R>>& sum, TileCounts& counts) {
     using W = Weight<R>;
     const MirrorPlanFor<R>& mirror = plan.mirrors[0];
-    const Rgb<W> throughput = spread<W>(mirror.reflectance);
     const Vec3<Direction<R>> m = reflect(d, at.n);
     if (mirror.lobe.glossy) {
         CandidateMask candidates;
@@ -28,7 +27,9 @@ ZERKALO_INLINE void reflect_once(const PlanFor<R>& plan, const MirrorSpot<R>& at
         return;
     }
     counts.reflected += count_of(at.front);
-    add_seen<R>(plan, all_of(plan), false, at.p, m, at.spot, at.front, throughput, sum, counts);
+    const CandidateMask solids = first_bits(plan.solid_count);
+    const Nearest<R> near = nearest_from<R>(plan, solids, PointOrigin<Length<R>>{at.p}, at.p, m, at.front);
+    add_nearest<R>(plan, solids, near, at.p, m, at.front, spread<W>(mirror.reflectance), sum, counts);
 }
 
 /// The light that comes along the camera rays of one packet, without what waits.
@@ -38,10 +39,18 @@ ZERKALO_INLINE Rgb<LightSum<R>> camera_light(const PlanFor<R>& plan, const TileV
     using W = Weight<R>;
     const Rgb<W> whole{W(1), W(1), W(1)};
     Rgb<LightSum<R>> sum{LightSum<R>(0), LightSum<R>(0), LightSum<R>(0)};
-    const Departure<R> from = departure_of_camera<R>(plan.camera, camera.d);
-    const AnyHit<R> hit = add_seen<R>(plan, view.seen, false, camera.o, camera.d, from, active, whole, sum, counts);
-    const auto here = active & (hit.id == index_of<R>(kMaxSolids));
+    const Nearest<R> near =
+        nearest_from<R>(plan, view.seen, plan.camera_origin, plan.camera.origin, camera.d, active);
+    auto here = mask_of<R>(false);
+    MirrorHit<System<R>> crossing;
+    if (mirrors_in(view.seen) != 0) {
+        crossing = plane_mirror_hit<System<R>>(plan.mirrors[0].shape, plan.camera_origin.mirrors[0], camera.d,
+                                               Length<R>(0));
+        here = active & crossing.hit & (crossing.t < near.t);
+    }
+    add_nearest<R>(plan, view.seen, near, camera.o, camera.d, active & (!here), whole, sum, counts);
     if (none(here)) return sum;
+    const AnyHit<R> hit{crossing.t, Index<R>(0), Index<R>(0), mask_of<R>(false), crossing.x, crossing.y, crossing.z};
     const MirrorSpot<R> at =
         light_mirror<R>(plan, 0, view.mirror_blockers, hit, camera.o, camera.d, here, whole, sum, counts);
     if (plan.mirrors[0].reflects && any(at.front)) reflect_once<R>(plan, at, camera.d, first, waiting, sum, counts);

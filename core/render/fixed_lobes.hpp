@@ -1,20 +1,18 @@
-// The lobes of a tile in fixed point, class by class: the pixels that wait for them, the rays that a class shares, and
-// which of these may meet a solid.
+// The lobes of a tile in fixed point, class by class: the pixels that wait for them, and their rays.
 #pragma once
 
-#include "core/render/fixed_tile.hpp"
-#include "core/render/trace.hpp"
+#include "core/render/fixed_aim.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
 
 /// The light of a tile's pixels, as raw integers, row-major.
 struct LightSums {
-    std::int64_t r[kTilePixels], g[kTilePixels], b[kTilePixels];
+    alignas(64) std::int64_t r[kTilePixels], g[kTilePixels], b[kTilePixels];
 };
 
 /// Pixels whose lobes must send rays: mirror points and mirror directions, as raw integers, and what the rays can meet.
 struct WaitingLobes {
-    std::int32_t o[3][kTilePixels], m[3][kTilePixels];
+    alignas(64) std::int32_t o[3][kTilePixels], m[3][kTilePixels];
     std::uint64_t pixels;
     CandidateMask candidates;
 };
@@ -25,20 +23,11 @@ struct PacketPixels {
 };
 
 template <class L>
-ZERKALO_INLINE void store_raw(std::remove_reference_t<decltype(lane_of(L{}.raw, 0))>* target, L x) {
-    for (int k = 0; k < kLanesOf<typename L::Representation>; ++k) target[k] = lane_of(x.raw, k);
-}
-template <class L, class T>
-ZERKALO_INLINE L gather_raw(const T* source, const PacketPixels& pixels) {
-    L result{};
-    for (int k = 0; k < kLanesOf<typename L::Representation>; ++k) set_lane(result.raw, k, source[pixels.of_lane[k]]);
-    return result;
-}
-template <class L, class T>
-ZERKALO_INLINE L load_raw(const T* source) {
-    L result{};
-    for (int k = 0; k < kLanesOf<typename L::Representation>; ++k) set_lane(result.raw, k, source[k]);
-    return result;
+ZERKALO_INLINE L gather_raw(const typename L::Element* source, const PacketPixels& pixels) {
+    constexpr int kLanes = kLanesOf<typename L::Representation>;
+    alignas(64) typename L::Element lanes[kLanes];
+    for (int k = 0; k < kLanes; ++k) lanes[k] = source[pixels.of_lane[k]];
+    return load_raw<L>(lanes);
 }
 
 template <class R>
@@ -49,6 +38,23 @@ template <class R>
 ZERKALO_INLINE Rgb<LightSum<R>> load_sum(const LightSums& sums, int first) {
     using S = LightSum<R>;
     return {load_raw<S>(sums.r + first), load_raw<S>(sums.g + first), load_raw<S>(sums.b + first)};
+}
+template <class R>
+ZERKALO_INLINE Rgb<LightSum<R>> gather_sum(const LightSums& sums, const PacketPixels& pixels) {
+    using S = LightSum<R>;
+    return {gather_raw<S>(sums.r, pixels), gather_raw<S>(sums.g, pixels), gather_raw<S>(sums.b, pixels)};
+}
+/// The active lanes come first.
+template <class R>
+ZERKALO_INLINE void scatter_sum(LightSums& sums, const PacketPixels& pixels, Mask<R> active,
+                                const Rgb<LightSum<R>>& sum) {
+    alignas(64) std::int64_t r[kWidth<R>], g[kWidth<R>], b[kWidth<R>];
+    store_raw(r, sum.r), store_raw(g, sum.g), store_raw(b, sum.b);
+    const auto count = static_cast<int>(count_of(active));
+    for (int k = 0; k < count; ++k) {
+        const int pixel = pixels.of_lane[k];
+        sums.r[pixel] = r[k], sums.g[pixel] = g[k], sums.b[pixel] = b[k];
+    }
 }
 
 template <class R>
@@ -66,80 +72,83 @@ ZERKALO_INLINE Rgb<Weight<R>> part_of_lobe(const PlanFor<R>& plan) {
     return as<Weight<R>>(scaled(spread<Weight<R>>(plan.mirrors[0].reflectance), one_part_of<R>(plan.samples)));
 }
 
-/// Adds what the rays from o along d see, times the throughput: solids, or the background, but for mirrors.
+/// The nearest solid along d, for origins outside of every solid. `o`: the origins, or the one of all lanes.
+template <class R, class O, class L>
+ZERKALO_INLINE Nearest<R> nearest_from(const PlanFor<R>& plan, CandidateMask candidates, const O& origin, Vec3<L> o,
+                                       Vec3<Direction<R>> d, Mask<R> active) {
+    Nearest<R> best = nothing_yet<R>();
+    for (CandidateMask left = solids_in(candidates); left != 0; left &= left - 1) {
+        const int k = first_of(left);
+        const Mask<R> near = plan.exact_plan ? active : may_meet<R>(plan.solids[k], o, d, active);
+        if (none(near)) continue;
+        with_span<Faces::entry, R>(plan, k, origin, d, [&](const Span<System<R>>& span) ZERKALO_INLINE_LAMBDA {
+            keep_nearer<R>(best, span, plan.solids[k], near & (span.entry <= span.exit));
+        });
+    }
+    return best;
+}
+
+/// Adds the light of the nearest solids along d, times the throughput, and the background where there is none.
 template <class R>
-ZERKALO_INLINE AnyHit<R> add_seen(const PlanFor<R>& plan, CandidateMask candidates, bool aimed, Vec3<Length<R>> o,
-                                  Vec3<Direction<R>> d, const Departure<R>& from, Mask<R> active,
-                                  Rgb<Weight<R>> throughput, Rgb<LightSum<R>>& sum, TileCounts& counts) {
-    const AnyHit<R> hit =
-        nearest_anywhere<R>(plan, candidates, aimed, o, d, from, active, Length<R>(0), false);
-    const auto hits = active & (hit.id >= Index<R>(0));
+ZERKALO_INLINE void add_nearest(const PlanFor<R>& plan, CandidateMask candidates, const Nearest<R>& near,
+                                Vec3<Length<R>> o, Vec3<Direction<R>> d, Mask<R> active, Rgb<Weight<R>> throughput,
+                                Rgb<LightSum<R>>& sum, TileCounts& counts) {
+    const auto hits = active & (near.id >= Index<R>(0));
     const auto misses = active & (!hits);
     if (any(misses)) add<R>(sum, misses, throughput, spread<Radiance<R>>(plan.background));
-    if (none(hits)) return hit;
-    light_solids<R>(plan, candidates, hit, o, d, active, throughput, sum, counts, [](const auto&...) {});
-    return hit;
+    if (none(hits)) return;
+    const Length<R> none_here(0);
+    const AnyHit<R> hit{near.t, near.id, near.face, mask_of<R>(false), none_here, none_here, none_here};
+    light_solids<R>(plan, candidates, hit, o, d, hits, throughput, sum, counts, [](const auto&...) {});
 }
 
-constexpr std::int32_t kFixedChunk = 32;
-
-/// A run of the rays of each class, in the lobe's frame.
+/// What the lobes of a packet share.
 template <class R>
-struct ClassRays {
-    using One = Uniform<R>;
-    std::int32_t count;
-    LobePoint<One> of_class[kLatticeClasses][kFixedChunk];
+struct PacketLobes {
+    Vec3<Length<R>> o;
+    Vec3<Direction<R>> m;
+    Tangents<Direction<R>> base;
+    Mask<R> active, max_phong;
+    CandidateMask candidates;
+    bool aimed;
 };
 
-/// Rays first, first + 1, ... of all classes.
+/// The rays of a chunk, for a packet of one class.
 template <class R>
-ZERKALO_ONCE void fill_rays(ClassRays<R>& rays, const PlanFor<R>& plan, std::uint32_t tile, std::uint32_t camera_sample,
-                            std::int32_t first) {
-    using One = Uniform<R>;
-    const Sampling& sampling = plan.sampling;
-    const auto exponent = Share<One>(plan.mirrors[0].lobe.inverse_exponent);
-    const std::int32_t left = plan.samples - first;
-    rays.count = left < kFixedChunk ? left : kFixedChunk;
-    PathKey<One> keys[kLatticeClasses]{};
-    for (int c = 0; c < kLatticeClasses; ++c) {
-        keys[c].turn = phase_of<One>(phase_of_class(sampling, c, camera_sample));
-        if (is_keyed(sampling.estimator)) keys[c].set = set_of_class(sampling, tile, c, camera_sample);
-    }
-    for (std::int32_t i = 0; i < rays.count; ++i) {
-        LobePolar<One> polar{};
-        for (int c = 0; c < kLatticeClasses; ++c) {
-            const SetPoint<One> at = place_of_ray<One>(plan, keys[c], first + i);
-            // Of a lattice the classes differ in their turn alone.
-            if (c == 0 || is_keyed(sampling.estimator)) polar = lobe_polar(at.u, exponent);
-            rays.of_class[c][i] = at_azimuth(polar, at.turn);
-        }
-    }
-}
-
-/// The rays of a chunk, for a packet of one class. `job`: aimed from o along m.
-template <class R>
-ZERKALO_INLINE void shoot_rays(const PlanFor<R>& plan, const LobePoint<Uniform<R>>* rays, std::int32_t count,
-                               const LobeJob<R>& job, std::int32_t& missed, Vec3<Length<R>> o, Vec3<Direction<R>> m,
-                               Mask<R> active, CandidateMask candidates, Rgb<LightSum<R>>& sum, TileCounts& counts) {
+ZERKALO_INLINE void shoot_rays(const PlanFor<R>& plan, const RayChunk& rays, std::int32_t count,
+                               const PacketLobes<R>& lobes, const LobeAim<R>& aim, Rgb<LightSum<R>>& sum,
+                               TileCounts& counts) {
     using D = Direction<R>;
+    using One = Direction<Uniform<R>>;
+    const bool weighted = plan.mirrors[0].lobe.max_phong;
     const Rgb<Weight<R>> part = part_of_lobe<R>(plan);
-    const Departure<R> from{index_of<R>(kMaxSolids), Index<R>(0), mask_of<R>(false)};
-    const bool aimed = job.target_count > 0;
-    counts.lobe += count_of(active) * static_cast<std::uint32_t>(count);
-    for (std::int32_t i = 0; i < count; ++i) {
-        const LobePoint<R> point{D(rays[i].side), D(rays[i].up), D(rays[i].forward)};
-        const CandidateMask met = aimed ? solids_met<R>(job, point, active) : candidates;
-        if (aimed && met == 0) {
-            ++missed;
-            continue;
-        }
-        const LobeRay<R> ray = lobe_ray<R>(point, m, job.base, job.n, job.max_phong);
-        const auto below = active & (!ray.above) & (!job.max_phong);
-        if (any(below)) add<R>(sum, below, part, spread<Radiance<R>>(plan.background));
-        const auto above = active & ray.above;
+    const Vec3<D> n = spread<D>(plan.mirrors[0].shape.n);
+    counts.lobe += count_of(lobes.active) * static_cast<std::uint32_t>(count);
+    // Each ray of max-Phong has a weight of its own, also where it meets nothing.
+    RayMask left = first_rays(count);
+    if (lobes.aimed && !weighted) {
+        left &= aim.rays;
+        add_missed<R>(plan, lobes.active, part, count - __builtin_popcount(left), sum);
+    }
+    for (; left != 0; left &= left - 1) {
+        const std::int32_t i = first_of(left);
+        const LobePoint<R> point{D(One::from_raw(rays.side[i])), D(One::from_raw(rays.up[i])),
+                                 D(One::from_raw(rays.forward[i]))};
+        const LobeRay<R> ray = lobe_ray<R>(point, lobes.m, lobes.base, n, lobes.max_phong);
+        const auto below = lobes.active & (!ray.above);
+        if (!weighted && any(below)) add<R>(sum, below, part, spread<Radiance<R>>(plan.background));
+        const Mask<R> above = lobes.active & ray.above;
         if (none(above)) continue;
-        const Rgb<Weight<R>> throughput = any(job.max_phong) ? as<Weight<R>>(scaled(part, ray.weight)) : part;
-        add_seen<R>(plan, met, aimed, o, ray.d, from, above, throughput, sum, counts);
+        const Rgb<Weight<R>> throughput = weighted ? as<Weight<R>>(scaled(part, ray.weight)) : part;
+        CandidateMask asked = 0;
+        Nearest<R> near;
+        if (lobes.aimed) {
+            near = nearest_aimed<R>(plan, aim, i, ray.d, above, asked);
+        } else {
+            asked = lobes.candidates;
+            near = nearest_from<R>(plan, asked, PointOrigin<Length<R>>{lobes.o}, lobes.o, ray.d, above);
+        }
+        add_nearest<R>(plan, asked, near, lobes.o, ray.d, above, throughput, sum, counts);
     }
 }
 
@@ -165,36 +174,32 @@ ZERKALO_ONCE void trace_lobes(const PlanFor<R>& plan, const WaitingLobes& waitin
                               std::uint32_t camera_sample, LightSums& sums, TileCounts& counts) {
     using L = Length<R>;
     using D = Direction<R>;
-    using S = LightSum<R>;
-    const MirrorPlanFor<R>& mirror = plan.mirrors[0];
     const LatticeClasses classes = lattice_classes(tile);
-    const LobeStart<R> start{spread<D>(mirror.shape.n), Share<R>(mirror.lobe.inverse_exponent), D(mirror.lobe.alpha),
-                             mask_of<R>(mirror.lobe.max_phong != 0), mask_of<R>(false)};
-    ClassRays<R> rays;
-    LobeJob<R> job;
-    for (std::int32_t first = 0; first < plan.samples; first += kFixedChunk) {
-        fill_rays<R>(rays, plan, tile, camera_sample, first);
+    ClassRays own;
+    LobeAim<R> aim;
+    for (std::int32_t first = 0; first < plan.samples; first += kRayChunk) {
+        const bool shared = first == 0 && camera_sample == 0 && !is_keyed(plan.sampling.estimator);
+        if (!shared) fill_rays<R>(own, plan, plan.mirrors[0].lobe, tile, camera_sample, first);
+        const ClassRays& rays = shared ? plan.mirrors[0].rays : own;
         for (int c = 0; c < kLatticeClasses; ++c) {
             std::uint64_t pixels = waiting.pixels & pixels_of_class(classes, c);
+            const RayChunk& chunk = rays.of_class[c];
             while (pixels != 0) {
                 PacketPixels packet;
-                const Mask<R> active = next_pixels<R>(packet, pixels);
-                const Vec3<L> o{gather_raw<L>(waiting.o[0], packet), gather_raw<L>(waiting.o[1], packet),
-                                gather_raw<L>(waiting.o[2], packet)};
-                const Vec3<D> m{gather_raw<D>(waiting.m[0], packet), gather_raw<D>(waiting.m[1], packet),
-                                gather_raw<D>(waiting.m[2], packet)};
-                Rgb<S> sum{gather_raw<S>(sums.r, packet), gather_raw<S>(sums.g, packet), gather_raw<S>(sums.b, packet)};
-                aim_job<R>(plan, start, job, o, m, waiting.candidates);
-                std::int32_t missed = 0;
-                shoot_rays<R>(plan, rays.of_class[c], rays.count, job, missed, o, m, active, waiting.candidates, sum,
-                              counts);
-                add_missed<R>(plan, active, part_of_lobe<R>(plan), missed, sum);
-                for (int k = 0; k < kWidth<R> && lane_of(active, k); ++k) {
-                    const int pixel = packet.of_lane[k];
-                    sums.r[pixel] = lane_of(sum.r.raw, k);
-                    sums.g[pixel] = lane_of(sum.g.raw, k);
-                    sums.b[pixel] = lane_of(sum.b.raw, k);
-                }
+                PacketLobes<R> lobes;
+                lobes.active = next_pixels<R>(packet, pixels);
+                lobes.max_phong = mask_of<R>(plan.mirrors[0].lobe.max_phong != 0);
+                lobes.candidates = solids_in(waiting.candidates);
+                lobes.o = {gather_raw<L>(waiting.o[0], packet), gather_raw<L>(waiting.o[1], packet),
+                           gather_raw<L>(waiting.o[2], packet)};
+                lobes.m = {gather_raw<D>(waiting.m[0], packet), gather_raw<D>(waiting.m[1], packet),
+                           gather_raw<D>(waiting.m[2], packet)};
+                lobes.base = tangents_of(lobes.m);
+                lobes.aimed = !plan.exact_plan && aim_lobes<R>(aim, plan, lobes.candidates, chunk, rays.count, lobes.o,
+                                                               lobes.m, lobes.base);
+                Rgb<LightSum<R>> sum = gather_sum<R>(sums, packet);
+                shoot_rays<R>(plan, chunk, rays.count, lobes, aim, sum, counts);
+                scatter_sum<R>(sums, packet, lobes.active, sum);
             }
         }
     }

@@ -1,5 +1,6 @@
 // A pass over a frame that is prepared already: the same plan with other lobe rays.
 #include "core/numeric/float_mode.hpp"
+#include "core/render/class_rays.hpp"
 #include "core/render/derive.hpp"
 #include "core/render/lattice_chunk.hpp"
 #include "core/render/render.hpp"
@@ -37,9 +38,11 @@ void place_lobe_rays(PlanOf<F>& plan, const Pass& pass) {
         // Cosines and sines have no scale: those of every scene are rounded alike.
         derive_cone(mirror.lobe_exponent, plan, pass.survey, Constants<F>(), mirror.lobe);
         // A keyed rule has other points in every tile.
+        if (is_keyed(plan.sampling.estimator)) continue;
         if constexpr (std::is_same_v<F, FloatFormats>) {
-            if (is_keyed(plan.sampling.estimator)) continue;
             fill_chunk<float>(mirror.lattice, plan.sampling, mirror.lobe, 0, plan.samples);
+        } else if constexpr (F::kFixed) {
+            fill_rays<FixedNumbers<1>>(mirror.rays, plan, mirror.lobe, 0, 0, 0);
         }
     }
 }

@@ -72,8 +72,7 @@ struct SolidPlanOf {
 };
 using SolidPlan = SolidPlanOf<FloatFormats>;
 
-/// What only the kernels for at most one bounce read of a mirror, a light, a plan. They exist in float alone; of it the
-/// fixed-point kernel reads the shadows.
+/// What only the kernels for at most one bounce read of a mirror, a light, a plan.
 template <class F>
 struct OneBounceMirror {};
 template <>
@@ -81,6 +80,10 @@ struct OneBounceMirror<FloatFormats> {
     LatticeChunk lattice;  // the lobe's first points; all of them if `samples` are at most kChunk
     LobeProfile profile;   // for its coverage
     LatticeChunk scouts;   // of every size of lattice the same few points: which solids hide each other
+};
+template <>
+struct OneBounceMirror<FixedFormats> {
+    ClassRays rays;  // the lobe's first ones, of the first camera sample, unless a tile has its own
 };
 template <class F>
 struct OneBounceLight {};
@@ -188,7 +191,6 @@ template <>
 struct OneBouncePlan<FloatFormats> {
     Outline outlines[kMaxSolids];
     TileCorners tile_corners;
-    SharedOrigin camera_origin;
     BoundTable bounds;
     PixelBoundsTable<kMaxSolids> image_bounds;  // of the solids' images behind the only, plane mirror
 };
@@ -209,6 +211,7 @@ template <class F>
 struct PlanOf : PlanHead, OneBouncePlan<F> {
     Rgb<typename F::Radiance> background;
     CameraPlanOf<F> camera;
+    SharedOriginOf<F> camera_origin;
     SolidPlanOf<F> solids[kMaxSolids];
     MirrorPlanOf<F> mirrors[kMaxMirrors];
     LightPlanOf<F> lights[kMaxLights];

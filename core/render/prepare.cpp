@@ -199,7 +199,6 @@ void derive_one_bounce(const Scene& scene, const Viewpoint& eye, const Constants
     if (plan.mirror_count > 0) derive_tile_corners(plan);
     derive_image_bounds(scene, eye, plan);
     derive_light_bounds(scene, to, plan);
-    derive_shared(plan, plan.camera.origin, plan.camera_origin);
     if (plan.features & kFeatureInside) derive_close_spheres(scene, plan);
 }
 
@@ -232,6 +231,7 @@ Status derive_plan(const Scene& scene, const Settings& settings, const Surroundi
         return Status{"depth_limit", "must be at most 16 in a scene with a surface that both reflects and transmits",
                       Part::settings, 0};
     }
+    derive_shared(plan, plan.camera.origin, plan.camera_origin);
     for (std::int32_t j = 0; j < scene.light_count; ++j) {
         derive_shared(plan, plan.lights[j].data.position, plan.lights[j].origin);
     }

@@ -25,21 +25,22 @@ ZERKALO_INLINE int first_of(CandidateMask mask) { return __builtin_ctzll(mask); 
 /// The nearest solid of each lane. t is infinite and id -1 where there is none.
 template <class R>
 struct Nearest {
-    R t, id, face;
+    Length<R> t;
+    Index<R> id, face;
 };
 
 template <class R>
 ZERKALO_INLINE Nearest<R> nothing_yet() {
-    return {far_away<R>(), R(-1), R(0)};
+    return {far_away<Length<R>>(), Index<R>(-1), Index<R>(0)};
 }
 
 /// Keeps the nearer of what was found and the entry of solid k. Ties stay with the earlier, lower index.
 template <class R>
-ZERKALO_INLINE void keep_nearer(Nearest<R>& best, const Span<FloatNumbers<R>>& span, const SolidPlan& solid,
+ZERKALO_INLINE void keep_nearer(Nearest<R>& best, const Span<System<R>>& span, const SolidPlanFor<R>& solid,
                                 Mask<R> allowed) {
-    const auto nearer = (span.entry > R(0)) & (span.entry < best.t) & allowed;
+    const auto nearer = (span.entry > Length<R>(0)) & (span.entry < best.t) & allowed;
     best.t = select(nearer, span.entry, best.t);
-    best.id = select(nearer, R(solid.id), best.id);
+    best.id = select(nearer, Index<R>(solid.id), best.id);
     best.face = select(nearer, span.face_in, best.face);
 }
 

@@ -1,0 +1,267 @@
+// Which rays of a lobe can meet which solids, for a packet of pixels of one lattice class in fixed point.
+//
+// The pixels share the directions of their rays in the lobe's own frame, where a solid's bounding ball looks nearly the
+// same from each of them. So the ball as the first pixel sees it, widened by how far it strays for the others, is asked
+// once for all: with rays in the lanes. What an intersection owes to the origin alone is computed here too.
+#pragma once
+
+#include "core/render/class_rays.hpp"
+#include "core/render/fixed_tile.hpp"
+#include "core/render/trace.hpp"
+
+namespace zerkalo::inline ZERKALO_ISA {
+
+constexpr RayMask first_rays(std::int32_t count) { return count < kRayChunk ? (RayMask{1} << count) - 1 : ~RayMask{0}; }
+
+template <class L>
+ZERKALO_INLINE void store_raw(typename L::Element* target, const L& x) {
+    using Rep = typename L::Representation;
+    if constexpr (!IntLaneTraits<Rep>::kInVectors) {
+        for (int k = 0; k < kLanesOf<Rep>; ++k) target[k] = lane_of(x.raw, k);
+    } else if constexpr (std::same_as<typename L::Element, std::int32_t>) {
+        __builtin_memcpy(target, &x.raw.v, sizeof x.raw.v);
+    } else {
+        store_lanes(target, x.raw.v);
+    }
+}
+template <class L>
+ZERKALO_INLINE L load_raw(const typename L::Element* source) {
+    using Rep = typename L::Representation;
+    L x{};
+    if constexpr (!IntLaneTraits<Rep>::kInVectors) {
+        for (int k = 0; k < kLanesOf<Rep>; ++k) set_lane(x.raw, k, source[k]);
+    } else if constexpr (std::same_as<typename L::Element, std::int32_t>) {
+        __builtin_memcpy(&x.raw.v, source, sizeof x.raw.v);
+    } else {
+        x.raw.v = load_lanes(source);
+    }
+    return x;
+}
+
+constexpr int kMostAimed = 8;
+constexpr int kHoistedSlabs = 16;
+
+/// A solid that some rays may meet from some pixels, and what its intersections owe to the origins.
+template <class R>
+struct AimedSolid {
+    RayMask rays;
+    std::int32_t k;
+    std::int32_t first_slab;  // its first hoisted one, or -1: there was no room
+    Vec3<Length<R>> from;
+    Area<R> c;
+};
+
+/// The solids that the lobes of a packet can meet.
+template <class R>
+struct LobeAim {
+    Vec3<Length<R>> o;
+    AimedSolid<R> solids[kMostAimed];
+    SlabOrigin<System<R>> slabs[kHoistedSlabs];
+    std::int32_t count, used_slabs;
+    RayMask rays;  // that may meet any of them
+};
+
+/// Rays that pass a ball about c, in the lobe's frame, from its origin: |c| <= r, or c.w > 0 and (c.w)^2 >= |c|^2 - r^2.
+template <class R>
+ZERKALO_INLINE RayMask rays_near_ball(const RayChunk& chunk, std::int32_t count, Vec3<Length<Uniform<R>>> c,
+                                      Area<Uniform<R>> beyond) {
+    using D = Direction<R>;
+    if (beyond <= Area<Uniform<R>>(0)) return first_rays(count);
+    RayMask rays = 0;
+    for (std::int32_t i = 0; i < count; i += kWidth<R>) {
+        const Vec3<D> w{load_raw<D>(chunk.side + i), load_raw<D>(chunk.up + i), load_raw<D>(chunk.forward + i)};
+        const auto along = as<Length<R>>(dot(spread<Length<R>>(c), w));
+        const auto near = (along > Length<R>(0)) & (along * along >= Area<R>(beyond));
+        rays |= RayMask{bits_of(near)} << i;
+    }
+    return rays & first_rays(count);
+}
+
+/// The largest lane.
+template <class R>
+ZERKALO_INLINE Area<Uniform<R>> largest_lane_of(const Area<R>& x) {
+    auto most = lane_of(x.raw, 0);
+    for (int k = 1; k < kWidth<R>; ++k) most = lane_of(x.raw, k) > most ? lane_of(x.raw, k) : most;
+    return with_fraction<Area<R>::kFraction>(most);
+}
+
+/// The first pixel's point and frame, and how far the other frames turn away from it (Frobenius norm).
+template <class R>
+struct LobePilot {
+    using One = Uniform<R>;
+    Vec3<Length<One>> o;
+    Vec3<Direction<One>> m, t, b;
+    Length<One> turning;
+};
+
+constexpr int kFewSteps = 1 << 4;    // of a length: room for the rounding of a few terms
+constexpr int kFewRays = 3;
+constexpr int kManySteps = 1 << 11;  // and of points as far away as the scene is large
+
+template <class L>
+ZERKALO_INLINE auto first_lane_of(const Vec3<L>& v) {
+    using One = Fixed<typename L::Element, L::kFraction>;
+    return Vec3<One>{One::from_raw(lane_of(v.x.raw, 0)), One::from_raw(lane_of(v.y.raw, 0)),
+                     One::from_raw(lane_of(v.z.raw, 0))};
+}
+
+template <class R>
+ZERKALO_INLINE LobePilot<R> pilot_of(Vec3<Length<R>> o, Vec3<Direction<R>> m, const Tangents<Direction<R>>& base) {
+    using D = Direction<R>;
+    using L = Length<R>;
+    LobePilot<R> pilot{first_lane_of(o), first_lane_of(m), first_lane_of(base.t), first_lane_of(base.b), {}};
+    const auto away = [](const Vec3<D>& v, const auto& from) ZERKALO_INLINE_LAMBDA {
+        const auto off = as<L>(v - spread<D>(from));
+        return dot(off, off);
+    };
+    const Area<R> sum = away(m, pilot.m) + away(base.t, pilot.t) + away(base.b, pilot.b);
+    pilot.turning = root<Length<Uniform<R>>>(largest_lane_of<R>(sum)) + Length<Uniform<R>>::from_raw(kFewSteps);
+    return pilot;
+}
+
+/// Rays among `near` that pass the solid widened by delta on all sides, from the pilot. The solid is no ball.
+template <class R>
+ZERKALO_INLINE RayMask rays_through(const PlanFor<R>& plan, const SolidPlanFor<R>& solid, const RayChunk& chunk,
+                                    RayMask near, const LobePilot<R>& pilot, Length<Uniform<R>> delta) {
+    using N = System<R>;
+    using D = Direction<R>;
+    auto tube = solid.tube;
+    if (solid.shape == ShapeKind::tube) {
+        const auto wider = quotient<Length<Uniform<R>>>(delta, tube.normal_scale);
+        tube.mid_radius = tube.mid_radius + wider;
+        tube.half_height = tube.half_height + delta;
+        // At its larger end the radius grows by at most twice as much.
+        const auto reach = root<Length<Uniform<R>>>(tube.reach2) + (wider + wider + delta);
+        tube.reach2 = reach * reach;
+    }
+    RayMask through = 0;
+    for (std::int32_t i = 0; i < kRayChunk && near >> i != 0; i += kWidth<R>) {
+        if ((near >> i & ((RayMask{1} << (kWidth<R> - 1) << 1) - 1)) == 0) continue;
+        const D side = load_raw<D>(chunk.side + i), up = load_raw<D>(chunk.up + i);
+        const D forward = load_raw<D>(chunk.forward + i);
+        const Vec3<D> d = as<D>(spread<D>(pilot.m) * forward + spread<D>(pilot.t) * side + spread<D>(pilot.b) * up);
+        Span<N> span = whole_span<N>();
+        if (solid.shape == ShapeKind::tube) {
+            span = tube_span<true, Faces::none, N>(tube, tube_seen_from<Uniform<R>>(tube, pilot.o), d);
+        } else {
+            const auto* slabs = plan.slabs + solid.half_spaces.first_slab;
+            const auto o = pilot.o - solid.half_spaces.centre;
+            for (std::int32_t s = 0; s < solid.half_spaces.slab_count; ++s) {
+                const auto from = slab_seen_from<Uniform<R>>(slabs[s], o);
+                clip<Faces::none>(span, slabs[s], SlabOrigin<Uniform<R>>{from.lo - delta, from.hi + delta}, d);
+            }
+        }
+        through |= RayMask{bits_of((span.entry <= span.exit) & (span.exit >= Length<R>(0)))} << i;
+    }
+    return near & through;
+}
+
+/// Rays of the chunk that may meet the solid from some pixel. Conservative.
+template <class R>
+ZERKALO_INLINE RayMask rays_to_solid(const PlanFor<R>& plan, const SolidPlanFor<R>& solid, const RayChunk& chunk,
+                                     std::int32_t count, const LobePilot<R>& pilot, Vec3<Length<R>> o,
+                                     Vec3<Direction<R>> m, const Tangents<Direction<R>>& base) {
+    using L = Length<R>;
+    using One = Length<Uniform<R>>;
+    const Vec3<L> f = solid.bound_centre - o;
+    const Vec3<L> centre{as<L>(dot(f, base.t)), as<L>(dot(f, base.b)), as<L>(dot(f, m))};
+    const Vec3<One> c = first_lane_of(centre);
+    const Vec3<L> off = centre - spread<L>(c);
+    const One stray = root<One>(largest_lane_of<R>(dot(off, off))) + One::from_raw(kFewSteps);
+    if (stray > One(1)) return first_rays(count);
+    const One reach = solid.bound_radius + stray;
+    const RayMask near = rays_near_ball<R>(chunk, count, c, dot(c, c) - (reach * reach + kSquareRoom<R>));
+    // For a few rays the solid itself is not asked more than the widened one would be.
+    if (__builtin_popcount(near) < kFewRays || solid.shape == ShapeKind::sphere) return near;
+    // A point at q from the centre strays by at most stray + |q| turning.
+    const One delta = stray + as<One>(solid.bound_radius * pilot.turning) + One::from_raw(kManySteps);
+    return rays_through<R>(plan, solid, chunk, near, pilot, delta);
+}
+
+template <class R>
+ZERKALO_INLINE void hoist(AimedSolid<R>& aimed, LobeAim<R>& aim, const PlanFor<R>& plan) {
+    using N = System<R>;
+    const SolidPlanFor<R>& solid = plan.solids[aimed.k];
+    aimed.first_slab = -1;
+    if (solid.shape == ShapeKind::sphere) {
+        const auto seen = sphere_seen_from<N>(solid.sphere, aim.o);
+        aimed.from = seen.f, aimed.c = seen.c;
+    } else if (solid.shape == ShapeKind::tube) {
+        aimed.from = tube_seen_from<N>(solid.tube, aim.o);
+    } else if (aim.used_slabs + solid.half_spaces.slab_count <= kHoistedSlabs) {
+        aimed.first_slab = aim.used_slabs;
+        const auto* slabs = plan.slabs + solid.half_spaces.first_slab;
+        const Vec3<Length<R>> o = aim.o - solid.half_spaces.centre;
+        for (std::int32_t s = 0; s < solid.half_spaces.slab_count; ++s) {
+            aim.slabs[aim.used_slabs++] = slab_seen_from<N>(slabs[s], o);
+        }
+    }
+}
+
+/// Chooses among the candidates for the rays of a chunk from o about m. False where there are too many: then any ray may
+/// meet any of them.
+template <class R>
+ZERKALO_ONCE bool aim_lobes(LobeAim<R>& aim, const PlanFor<R>& plan, CandidateMask candidates, const RayChunk& chunk,
+                            std::int32_t count, const Vec3<Length<R>>& o, const Vec3<Direction<R>>& m,
+                            const Tangents<Direction<R>>& base) {
+    aim.o = o;
+    aim.count = aim.used_slabs = 0;
+    aim.rays = 0;
+    const LobePilot<R> pilot = pilot_of<R>(o, m, base);
+    for (CandidateMask left = candidates; left != 0; left &= left - 1) {
+        const int k = first_of(left);
+        const RayMask rays = rays_to_solid<R>(plan, plan.solids[k], chunk, count, pilot, o, m, base);
+        if (rays == 0) continue;
+        if (aim.count == kMostAimed) return false;
+        AimedSolid<R>& aimed = aim.solids[aim.count++];
+        aimed.rays = rays;
+        aimed.k = k;
+        aim.rays |= rays;
+        hoist(aimed, aim, plan);
+    }
+    return true;
+}
+
+/// Hands `use` the span of an aimed solid along d.
+template <class R, class Use>
+ZERKALO_INLINE void with_aimed_span(const PlanFor<R>& plan, const LobeAim<R>& aim, const AimedSolid<R>& aimed,
+                                    Vec3<Direction<R>> d, Use use) {
+    using N = System<R>;
+    const SolidPlanFor<R>& solid = plan.solids[aimed.k];
+    if (solid.shape == ShapeKind::sphere) {
+        use(sphere_span<N>(solid.sphere, SphereOrigin<N>{aimed.from, aimed.c}, d));
+    } else if (solid.shape == ShapeKind::half_spaces) {
+        if (aimed.first_slab < 0) {
+            return use(half_spaces_span<Faces::entry, R>(plan, solid.half_spaces, PointOrigin<Length<R>>{aim.o}, d));
+        }
+        Span<N> span = whole_span<N>();
+        const auto* slabs = plan.slabs + solid.half_spaces.first_slab;
+        for (std::int32_t s = 0; s < solid.half_spaces.slab_count; ++s) {
+            clip<Faces::entry>(span, slabs[s], aim.slabs[aimed.first_slab + s], d);
+            if (none(span.entry <= span.exit)) break;
+        }
+        use(span);
+    } else if (solid.tube.tapered) {
+        use(tube_span<true, Faces::entry, N>(solid.tube, aimed.from, d));
+    } else {
+        use(tube_span<false, Faces::entry, N>(solid.tube, aimed.from, d));
+    }
+}
+
+/// The nearest of the solids that ray i may meet; adds them to `asked`.
+template <class R>
+ZERKALO_ONCE Nearest<R> nearest_aimed(const PlanFor<R>& plan, const LobeAim<R>& aim, std::int32_t i,
+                                      const Vec3<Direction<R>>& d, const Mask<R>& active, CandidateMask& asked) {
+    Nearest<R> best = nothing_yet<R>();
+    for (std::int32_t c = 0; c < aim.count; ++c) {
+        const AimedSolid<R>& aimed = aim.solids[c];
+        if (!(aimed.rays >> i & 1)) continue;
+        asked |= CandidateMask{1} << aimed.k;
+        with_aimed_span<R>(plan, aim, aimed, d, [&](const Span<System<R>>& span) ZERKALO_INLINE_LAMBDA {
+            keep_nearer<R>(best, span, plan.solids[aimed.k], active & (span.entry <= span.exit));
+        });
+    }
+    return best;
+}
+
+}  // namespace zerkalo::inline ZERKALO_ISA
