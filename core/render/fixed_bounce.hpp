@@ -8,7 +8,7 @@
 #pragma once
 
 #include "core/render/fixed_lobes.hpp"
-#include "core/render/packet.hpp"
+#include "core/render/general.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
 
@@ -93,6 +93,17 @@ ZERKALO_ONCE void render_tile_one_bounce_fixed(const PlanFor<R>& plan, const Rec
     counts.reflected += tile_counts.reflected;
     counts.lobe += tile_counts.lobe;
     counts.shadow += tile_counts.shadow;
+}
+
+/// Renders one tile of any scene, by the smaller kernel that can.
+template <class R>
+ZERKALO_INLINE void render_tile_fixed(const PlanFor<R>& plan, const Rect& tile, const LinearImage& image,
+                                      RayCounts& counts) {
+    if (plan.features & kNeedsGeneral) {
+        render_tile_general<R>(plan, tile, image, counts);
+    } else {
+        render_tile_one_bounce_fixed<R>(plan, tile, image, counts);
+    }
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA
