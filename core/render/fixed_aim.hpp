@@ -11,6 +11,12 @@
 
 namespace zerkalo::inline ZERKALO_ISA {
 
+/// In sums of neighbours: processors without the instruction have no library here.
+constexpr std::int32_t count_of_rays(RayMask rays) {
+    rays -= rays >> 1 & 0x55555555u;
+    rays = (rays & 0x33333333u) + (rays >> 2 & 0x33333333u);
+    return static_cast<std::int32_t>(((rays + (rays >> 4)) & 0x0f0f0f0fu) * 0x01010101u >> 24);
+}
 constexpr RayMask first_rays(std::int32_t count) { return count < kRayChunk ? (RayMask{1} << count) - 1 : ~RayMask{0}; }
 
 template <class L>
@@ -172,7 +178,7 @@ ZERKALO_INLINE RayMask rays_to_solid(const PlanFor<R>& plan, const SolidPlanFor<
     const One reach = solid.bound_radius + stray;
     const RayMask near = rays_near_ball<R>(chunk, count, c, dot(c, c) - (reach * reach + kSquareRoom<R>));
     // For a few rays the solid itself is not asked more than the widened one would be.
-    if (__builtin_popcount(near) < kFewRays || solid.shape == ShapeKind::sphere) return near;
+    if (count_of_rays(near) < kFewRays || solid.shape == ShapeKind::sphere) return near;
     // A point at q from the centre strays by at most stray + |q| turning.
     const One delta = stray + as<One>(solid.bound_radius * pilot.turning) + One::from_raw(kManySteps);
     return rays_through<R>(plan, solid, chunk, near, pilot, delta);

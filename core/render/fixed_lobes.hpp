@@ -128,7 +128,7 @@ ZERKALO_INLINE void shoot_rays(const PlanFor<R>& plan, const RayChunk& rays, std
     RayMask left = first_rays(count);
     if (lobes.aimed && !weighted) {
         left &= aim.rays;
-        add_missed<R>(plan, lobes.active, part, count - __builtin_popcount(left), sum);
+        add_missed<R>(plan, lobes.active, part, count - count_of_rays(left), sum);
     }
     for (; left != 0; left &= left - 1) {
         const std::int32_t i = first_of(left);
