@@ -1,10 +1,11 @@
 // What the pixels of a tile share about the coverage of their lobes: which solids are covered, and for each face what a
-// hit brings beyond the background, c_f - b, from one place. Any value is right (gloss.hpp): the closer to what the
-// lobe rays will see, the less error they leave.
+// hit brings beyond the background, c_f - b. Any value is right (gloss.hpp): the closer to what the lobe rays will see,
+// the less error they leave. Flat faces are shaded at one place, round ones on average over scouts
+// (render/cover_scouts.hpp).
 #pragma once
 
+#include "core/render/cover_scouts.hpp"
 #include "core/render/lobe_aim.hpp"
-#include "core/render/lobe_tile.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
 
@@ -31,6 +32,7 @@ struct TileCover {
 /// Solids whose outline can be integrated. A tube's rim is cut into pieces not longer than the lobe is wide.
 ZERKALO_INLINE bool can_be_covered(const Plan& plan, const TileLobe& lobe, int k, CoveredSolid& cover) {
     const SolidPlan& solid = plan.solids[k];
+    cover.k = k;
     cover.panels = 1;
     const Vec3<float> f = solid.bound_centre - lobe.p;
     const float room = sqrt(dot(f, f)) - solid.bound_radius - lobe.stray;
@@ -44,36 +46,6 @@ ZERKALO_INLINE bool can_be_covered(const Plan& plan, const TileLobe& lobe, int k
     while (float(cover.panels) < needed) ++cover.panels;
     cover.few_nodes = needed <= 0.5f;
     return true;
-}
-
-/// Solids that other ones hide from more of the scouts, rays through the lobe from the middle of the tile, than not.
-template <class R>
-ZERKALO_INLINE CandidateMask hidden_solids(const Plan& plan, const TileLobe& lobe, CandidateMask solids) {
-    if ((solids & (solids - 1)) == 0) return 0;
-    const LatticeChunk& scouts = plan.mirrors[0].scouts;
-    const Tangents<float> across = tangents_of(lobe.m);
-    const Vec3<R> p = spread<R>(lobe.p);
-    std::int32_t balance[kMaxSolids] = {};
-    for (std::int32_t s = 0; s < kScouts; s += kWidth<R>) {
-        const Vec3<R> d = lobe.m * load<R>(scouts.forward + s) + across.t * load<R>(scouts.side + s) +
-                          across.b * load<R>(scouts.up + s);
-        const Nearest<R> near = nearest_solid(plan, solids, PointOrigin<R>{p}, d);
-        for (CandidateMask left = solids; left != 0; left &= left - 1) {
-            const int k = first_of(left);
-            with_span<Faces::none, R>(plan, k, PointOrigin<R>{p}, d,
-                                      [&](const Span<FloatNumbers<R>>& span) ZERKALO_INLINE_LAMBDA {
-                const auto met = (span.entry <= span.exit) & (span.entry > R(0));
-                const auto first = near.id == R(plan.solids[k].id);
-                balance[k] += static_cast<std::int32_t>(count_of(met & first)) -
-                              static_cast<std::int32_t>(count_of(met & !first));
-            });
-        }
-    }
-    CandidateMask hidden = 0;
-    for (CandidateMask left = solids; left != 0; left &= left - 1) {
-        if (balance[first_of(left)] < 0) hidden |= CandidateMask{1} << first_of(left);
-    }
-    return hidden;
 }
 
 /// Where the tile's middle looks: its mirror point and mirror direction.
@@ -90,20 +62,7 @@ ZERKALO_INLINE void set_shade(CoveredSolid& cover, const Plan& plan, const Glanc
     cover.r[face] = light.r, cover.g[face] = light.g, cover.b[face] = light.b;
 }
 
-constexpr float kWithin = 0.95f;  // of a solid's half-width: places for shades keep off its silhouette
-
-/// The place of a ball nearest to where the axis goes.
-ZERKALO_INLINE void shade_ball(CoveredSolid& cover, const Plan& plan, const Glance& from, TileCounts& counts) {
-    const SphereData& ball = plan.solids[cover.k].sphere;
-    const Vec3<float> f = from.p - ball.centre;
-    const Vec3<float> off = f - from.m * dot(f, from.m);
-    const float radius = ball.radius2 * ball.inverse_radius;
-    const float length = sqrt(dot(off, off)), most = kWithin * radius;
-    const float scale = length > most ? most / length : 1.0f;
-    const Vec3<float> aside = off * scale;
-    const Vec3<float> at = ball.centre + aside - from.m * sqrt(max(ball.radius2 - dot(aside, aside), 0.0f));
-    set_shade(cover, plan, from, at, 0, counts);
-}
+constexpr float kWithin = 0.95f;  // of a face's half-width: places for shades keep off its edges
 
 /// Every face that looks to the tile: where the axis meets its plane, drawn towards its middle until it is inside.
 ZERKALO_INLINE void shade_polyhedron(CoveredSolid& cover, const Plan& plan, const Glance& from, TileCounts& counts) {
@@ -129,37 +88,38 @@ ZERKALO_INLINE void shade_polyhedron(CoveredSolid& cover, const Plan& plan, cons
     }
 }
 
-/// The side where the axis passes it, at most to its silhouette, and the cap that looks to the tile.
-ZERKALO_INLINE void shade_tube(CoveredSolid& cover, const Plan& plan, const Glance& from, TileCounts& counts) {
+/// The cap of a tube that looks to the tile: where the axis meets its plane, if it does, at most at the rim.
+ZERKALO_INLINE void shade_cap(CoveredSolid& cover, const Plan& plan, const Glance& from, TileCounts& counts) {
     const TubeData& tube = plan.solids[cover.k].tube;
     const Vec3<float> o = tube_seen_from<FloatNumbers<float>>(tube, from.p);
     const Vec3<float> d = in_tube_axes(tube, from.m);
-    const Vec3<float> foot = o - d * dot(o, d);
-    const auto in_world = [&](Vec3<float> q) ZERKALO_INLINE_LAMBDA {
-        return tube.centre + tube.axis_x * q.x + tube.axis_y * q.y + tube.axis_z * q.z;
-    };
-    const float across = sqrt(o.x * o.x + o.z * o.z);
-    if (across > tube.mid_radius + tube.slope * o.y) {
-        const float most_high = kWithin * tube.half_height;
-        const float y = max(min(foot.y, most_high), -most_high);
-        const float radius = tube.mid_radius + tube.slope * y, most = kWithin * radius;
-        const float scale = across > 0 ? 1 / across : 0.0f;
-        const float to_x = o.x * scale, to_z = o.z * scale;
-        const float side = max(min(foot.z * to_x - foot.x * to_z, most), -most);
-        const float near = sqrt(max(radius * radius - side * side, 0.0f));
-        const Vec3<float> at{to_x * near - to_z * side, y, to_z * near + to_x * side};
-        set_shade(cover, plan, from, in_world(at), kLateralFace, counts);
-    }
     const float top = o.y > 0 ? tube.half_height : -tube.half_height;
     if (o.y * top <= tube.half_height * tube.half_height) return;
-    // Where the axis meets the cap's plane, if it does, at most at the rim.
     const float t = (top - o.y) / d.y;
     const float most = kWithin * (tube.mid_radius + tube.slope * top);
     const float x = o.x + d.x * t, z = o.z + d.z * t;
     const float length = sqrt(x * x + z * z);
     const float scale = t > 0 && length > 0 && length < 0x1p60f ? min(most / length, 1.0f) : 0.0f;
-    const Vec3<float> at = scale > 0 ? Vec3<float>{x * scale, top, z * scale} : Vec3<float>{0, top, 0};
-    set_shade(cover, plan, from, in_world(at), kCapFace, counts);
+    const Vec3<float> q = scale > 0 ? Vec3<float>{x * scale, top, z * scale} : Vec3<float>{0, top, 0};
+    set_shade(cover, plan, from, tube.centre + tube.axis_x * q.x + tube.axis_y * q.y + tube.axis_z * q.z, kCapFace,
+              counts);
+}
+
+/// The shades of a solid of which the scouts see so much: of flat faces at one place, of a round one on average. What
+/// is hidden brings nothing, and takes its share off every shade: the least error that one shade a face can leave.
+ZERKALO_INLINE void shade_solid(CoveredSolid& cover, const Plan& plan, const Glance& from, const Report& report,
+                                TileCounts& counts) {
+    for (int f = 0; f < kMaxOutlineFaces; ++f) cover.r[f] = cover.g[f] = cover.b[f] = 0;
+    const ShapeKind shape = plan.solids[cover.k].shape;
+    if (shape == ShapeKind::half_spaces) shade_polyhedron(cover, plan, from, counts);
+    if (shape == ShapeKind::tube) shade_cap(cover, plan, from, counts);
+    const float visible = report.seen < report.met ? report.seen / report.met : 1.0f;
+    if (visible < 1) {
+        for (int f = 0; f < kMaxOutlineFaces; ++f) cover.r[f] *= visible, cover.g[f] *= visible, cover.b[f] *= visible;
+    }
+    if (shape == ShapeKind::half_spaces || !(report.face > 0)) return;
+    const float inverse = 1 / report.face;
+    cover.r[0] = report.light.r * inverse, cover.g[0] = report.light.g * inverse, cover.b[0] = report.light.b * inverse;
 }
 
 /// Does the light of covered solids change so little over the tile that a polynomial of third degree in each direction
@@ -184,23 +144,22 @@ ZERKALO_ONCE void cover_tile(TileCover& cover, const Plan& plan, const Rect& til
         return;
     }
     const CandidateMask solids = solids_in_reach<R>(plan, lobe);
-    cover.plain = hidden_solids<R>(plan, lobe, solids);
-    for (CandidateMask left = solids & ~cover.plain; left != 0; left &= left - 1) {
+    cover.plain = 0;
+    for (CandidateMask left = solids; left != 0; left &= left - 1) {
         const int k = first_of(left);
-        const ShapeKind shape = plan.solids[k].shape;
+        const CandidateMask rivals = rivals_of(plan, lobe, solids, k);
+        const bool round = plan.solids[k].shape != ShapeKind::half_spaces;
         CoveredSolid& next = cover.solids[cover.count];
-        if (cover.count == kMaxCovered || !can_be_covered(plan, lobe, k, next)) {
+        const bool can = cover.count < kMaxCovered && can_be_covered(plan, lobe, k, next);
+        Report report{};
+        if (can && (round || rivals != 0)) report = scout<R>(plan, lobe, k, rivals, counts);
+        if (!can || (rivals != 0 && !(report.seen > 0))) {
             cover.plain |= CandidateMask{1} << k;
             continue;
         }
         ++cover.count;
-        next.k = k;
-        next.face_count = shape == ShapeKind::half_spaces ? plan.solids[k].half_spaces.slab_count : 2;
-        for (int f = 0; f < kMaxOutlineFaces; ++f) next.r[f] = next.g[f] = next.b[f] = 0;
-        const Glance from{lobe.p, lobe.m};
-        if (shape == ShapeKind::sphere) shade_ball(next, plan, from, counts);
-        if (shape == ShapeKind::half_spaces) shade_polyhedron(next, plan, from, counts);
-        if (shape == ShapeKind::tube) shade_tube(next, plan, from, counts);
+        next.face_count = round ? 2 : plan.solids[k].half_spaces.slab_count;
+        shade_solid(next, plan, {lobe.p, lobe.m}, report, counts);
     }
     cover.smooth = cover.count > 0 && is_smooth(cover, lobe, plan.mirrors[0].profile);
 }

@@ -28,6 +28,15 @@ ZERKALO_INLINE void fill_chunk(LatticeChunk& chunk, const Sampling& sampling, co
     });
 }
 
+/// Even points of the unit disc, at most kChunk: the lobe cos a seen along its axis.
+template <class R>
+ZERKALO_INLINE void fill_disc(LatticeChunk& chunk, std::int32_t samples) {
+    constexpr float kInverseExponent = 0.5f;
+    fill_points<R>(chunk, 0, samples, [&](Bits<R> index) ZERKALO_INLINE_LAMBDA {
+        return lattice_point<R>(sampling_of(Estimator::fibonacci, 0), index, samples, R(kInverseExponent));
+    });
+}
+
 /// Of a tile's own set.
 template <class R>
 ZERKALO_INLINE void fill_keyed_chunk(LatticeChunk& chunk, const Sampling& sampling, const LobeData& lobe,

@@ -46,7 +46,7 @@ enum Feature : std::uint32_t {
 constexpr std::uint32_t kNeedsGeneral = kFeatureChain | kFeatureBranch | kFeatureCurved | kFeatureMesh | kFeatureFar |
                                         kFeatureInside | kFeatureFlush | kFeatureGgx;
 
-constexpr std::int32_t kScouts = 32;  // rays that look which solids hide each other from a tile of mirror pixels
+constexpr std::int32_t kScouts = 32;  // rays that look what a solid brings to a tile of mirror pixels
 
 /// How the rays of one kind meet a solid: the closed list of kernels behind the six kinds of a scene.
 enum class ShapeKind : std::uint8_t { sphere, half_spaces, tube, mesh };
@@ -79,7 +79,7 @@ template <>
 struct OneBounceMirror<FloatFormats> {
     LatticeChunk lattice;  // the lobe's first points; all of them if `samples` are at most kChunk
     LobeProfile profile;   // for its coverage
-    LatticeChunk scouts;   // of every size of lattice the same few points: which solids hide each other
+    LatticeChunk scouts;   // even points of the unit disc: what a solid brings, and which ones hide it
 };
 template <>
 struct OneBounceMirror<FixedFormats> {

@@ -178,7 +178,7 @@ void derive_features(const Scene& scene, const Constants<F>& to, PlanOf<F>& plan
 
 void derive_coverage(double exponent, MirrorPlan& mirror) {
     mirror.profile = profile_of(exponent);
-    fill_chunk<float>(mirror.scouts, sampling_of(Estimator::fibonacci, 0), mirror.lobe, 0, kScouts);
+    fill_disc<float>(mirror.scouts, kScouts);
 }
 
 /// What only the kernels for at most one bounce read.
