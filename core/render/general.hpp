@@ -50,7 +50,7 @@ ZERKALO_INLINE void trace_one(const PlanFor<R>& plan, const TileView& view, cons
 /// Takes the next packet of rays off the stack: a waiting one, or the next lattice ray of the job on top.
 /// Returns false where all rays of the job's step are done with.
 template <class R>
-ZERKALO_INLINE bool next_packet(const PlanFor<R>& plan, PathStack<R>& stack, const PathKey<R>& key, PathPacket<R>& ray,
+ZERKALO_ONCE bool next_packet(const PlanFor<R>& plan, PathStack<R>& stack, const PathKey<R>& key, PathPacket<R>& ray,
                                 Rgb<LightSum<R>>& sum, TileCounts& counts) {
     PathPacket<R>& top = stack.packets[stack.count - 1];
     if (!top.is_job) {

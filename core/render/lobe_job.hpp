@@ -22,7 +22,7 @@ struct LobeTarget {
     Area<R> beyond;
     std::int32_t solid;
 };
-constexpr int kMostTargets = 6;
+constexpr int kMostTargets = 4;
 
 /// The mirror's normal and lobe, of each lane.
 template <class R>

@@ -175,7 +175,7 @@ ZERKALO_INLINE void light_solids(const PlanFor<R>& plan, CandidateMask candidate
 
 /// Local light of every solid that the packet has met, and where its rays go on.
 template <class R>
-ZERKALO_INLINE void shade_solids(const PlanFor<R>& plan, const PathPacket<R>& ray, const AnyHit<R>& hit,
+ZERKALO_ONCE void shade_solids(const PlanFor<R>& plan, const PathPacket<R>& ray, const AnyHit<R>& hit,
                                  Rgb<LightSum<R>>& sum, Continuations<R>& next, TileCounts& counts) {
     light_solids<R>(plan, ray.candidates, hit, ray.o, ray.d, ray.active, ray.throughput, sum, counts,
                     [&](const SolidPlanFor<R>& solid, const Vec3<Length<R>>& p, const Vec3<Direction<R>>& n,
@@ -280,7 +280,7 @@ ZERKALO_INLINE MirrorSpot<R> light_mirror(const PlanFor<R>& plan, int m, const B
 
 /// Local light of every mirror that the packet has met; where its rays go on; the lobe job that it starts.
 template <class R>
-ZERKALO_INLINE void shade_mirrors(const PlanFor<R>& plan, const TileView& view, const PathPacket<R>& ray,
+ZERKALO_ONCE void shade_mirrors(const PlanFor<R>& plan, const TileView& view, const PathPacket<R>& ray,
                                   const AnyHit<R>& hit, const PathKey<R>& key, Rgb<LightSum<R>>& sum,
                                   Continuations<R>& next, TileCounts& counts) {
     for (CandidateMask left = mirrors_in(ray.candidates); left != 0; left &= left - 1) {
