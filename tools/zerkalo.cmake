@@ -26,7 +26,18 @@ add_library(zerkalo_commands OBJECT
 target_include_directories(zerkalo_commands PUBLIC ${PROJECT_SOURCE_DIR})
 target_compile_definitions(zerkalo_commands PUBLIC ZERKALO_VERSION="${PROJECT_VERSION}")
 target_link_libraries(zerkalo_commands PUBLIC zerkalo_options zerkalo_scene_file zerkalo_stability zerkalo::core
-  CLI11::CLI11 Threads::Threads)
+  zerkalo_command_line Threads::Threads)
+# CLI11 is headers: parsed once, and not optimised anew for each command at a level that only the core deserves. What GCC 12
+# inlines from a precompiled header it mistakes for the program's own text.
+add_library(zerkalo_command_line INTERFACE)
+target_compile_options(zerkalo_command_line INTERFACE $<$<CONFIG:Release>:-O1>
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-array-bounds -Wno-stringop-overflow>)
+target_link_libraries(zerkalo_command_line INTERFACE CLI11::CLI11)
+target_precompile_headers(zerkalo_commands PRIVATE <CLI/CLI.hpp>)
+foreach(part messages json progress stop_signals scene_input picture_file picture_difference difference_map frame refine
+    bench_scenes)
+  set_source_files_properties(zerkalo/${part}.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+endforeach()
 # The headers alone: what stands for the library is the program's choice.
 target_include_directories(zerkalo_commands PRIVATE $<TARGET_PROPERTY:zerkalo_platform,INTERFACE_INCLUDE_DIRECTORIES>)
 
@@ -36,7 +47,8 @@ function(zerkalo_program name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_definitions(${name} PRIVATE ZERKALO_VERSION="${PROJECT_VERSION}")
   target_link_libraries(${name} PRIVATE zerkalo_options zerkalo_scene_file zerkalo_stability ${ARGN} zerkalo::core
-    CLI11::CLI11 Threads::Threads)
+    zerkalo_command_line Threads::Threads)
+  target_precompile_headers(${name} REUSE_FROM zerkalo_commands)
 endfunction()
 
 zerkalo_program(zerkalo zerkalo::platform)
