@@ -1,5 +1,6 @@
 # Configures and builds tests/proofs/pictures, and with it the core, in a directory of its own.
-# cmake -D SOURCE= -D BUILD= -D COMPILER= -D FLAGS= -D LEVEL= -D TOOLCHAIN= -D PREFIX= -D GENERATOR= -P build_core.cmake
+# cmake -D SOURCE= -D BUILD= -D COMPILER= -D FLAGS= -D LEVEL= -D TOOLCHAIN= -D PREFIX= -D GENERATOR= -D SCALAR_ONLY=
+#   -P build_core.cmake
 set(toolchain "")
 if(TOOLCHAIN)
   set(toolchain -DCMAKE_TOOLCHAIN_FILE=${TOOLCHAIN})
@@ -13,6 +14,12 @@ else()
   set(FLAGS "${LEVEL} -DNDEBUG ${FLAGS}")
 endif()
 
+# A compiler cache does not keep call graphs.
+set(launcher "")
+if(FLAGS MATCHES "-fcallgraph-info")
+  set(launcher -DCMAKE_CXX_COMPILER_LAUNCHER=)
+endif()
+
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT code EQUAL 0)
@@ -23,5 +30,5 @@ endfunction()
 
 run(${CMAKE_COMMAND} -S ${SOURCE} -B ${BUILD} -G ${GENERATOR} ${toolchain}
   -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=${type} "-DCMAKE_CXX_FLAGS=${FLAGS}"
-  "-DCMAKE_PREFIX_PATH=${PREFIX}")
+  "-DCMAKE_PREFIX_PATH=${PREFIX}" -DZERKALO_SCALAR_ONLY=${SCALAR_ONLY} ${launcher})
 run(${CMAKE_COMMAND} --build ${BUILD} --parallel 2)

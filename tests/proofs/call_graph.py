@@ -6,6 +6,8 @@ there, without it for functions only declared; a call through a pointer goes to 
 import re
 from pathlib import Path
 
+from objects import core_objects
+
 NODE = re.compile(r'^node: \{ title: "([^"]*)" label: "([^"]*)"')
 EDGE = re.compile(r'^edge: \{ sourcename: "([^"]*)" targetname: "([^"]*)"(?: label: "([^"]*)")?')
 STACK = re.compile(r"(\d+) bytes \(([\w,]+)\)")
@@ -33,6 +35,9 @@ class CallGraph:
                 self._read(path, str(path).split(folder + "/", 1)[1][:-len(".ci")])
         if not self.units:
             raise SystemExit(f"{build}: holds no .ci file of the core; build it with g++ -fcallgraph-info=su")
+        compiled = len(core_objects(build))
+        if self.units != compiled:
+            raise SystemExit(f"{build}: {compiled} objects of the core, {self.units} .ci files; a compiler cache?")
 
     def _read(self, path, unit):
         self.units += 1

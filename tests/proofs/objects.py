@@ -28,7 +28,7 @@ class Symbol:
 
 def core_objects(build):
     """The objects of the core below a build directory, sorted by label. None found is an error."""
-    folders = [path for path in Path(build).rglob("core/CMakeFiles") if path.is_dir()]
+    folders = [path for path in Path(build).absolute().rglob("CMakeFiles") if path.parent.name == "core"]
     found = [Object(path, folder.parent) for folder in folders for path in folder.rglob("*.o")]
     if not found:
         raise SystemExit(f"{build}: holds no object of the core; build the target zerkalo_core there first")
