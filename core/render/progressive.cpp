@@ -129,7 +129,9 @@ int step_for(const Outlook& outlook, const TileProgress& tile, double speed) {
            samples_of_step(step + 1) <= most) {
         ++step;
     }
-    return step;
+    // The nearer of two: what one tile gets too little another one gets too much.
+    const double half_way = step > 0 ? (outlook.weights[step - 1] + outlook.weights[step]) / 2 : 0;
+    return wanted - tile.weight < half_way ? step - 1 : step;
 }
 
 /// What a round at some speed would come to.
