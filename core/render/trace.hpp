@@ -264,10 +264,8 @@ ZERKALO_INLINE MirrorSpot<R> light_mirror(const PlanFor<R>& plan, int m, const B
     const MirrorPlanFor<R>& mirror = plan.mirrors[m];
     const Vec3<Direction<R>> outward = mirror_normal(mirror.shape, hit.x, hit.y, hit.z);
     const auto front = here & (dot(outward, d) < Square<R>(0));
-    const MirrorSpot<R> at{o + as<Length<R>>(d * hit.t),
-                           select(front, outward, -outward),
-                           {index_of<R>(kMaxSolids + m), Index<R>(0), mask_of<R>(false)},
-                           Mask<R>(front)};
+    const Departure<R> spot{index_of<R>(kMaxSolids + m), Index<R>(0), mask_of<R>(false)};
+    const MirrorSpot<R> at{o + as<Length<R>>(d * hit.t), select(front, outward, -outward), spot, Mask<R>(front)};
     for (int side = 0; side < 2; ++side) {
         const Mask<R> seen = side == 0 ? Mask<R>(front) : Mask<R>(here & (!front));
         if (none(seen)) continue;
