@@ -75,12 +75,14 @@ ZERKALO_INLINE Longs all_longs(std::int64_t x) {
 //     square_root      correctly rounded
 //     where_negative   a where the sign of m is set, b elsewhere
 //     signs_of         bit k is the sign of lane k
+//     larger           of two words
 #if defined(__aarch64__)
 ZERKALO_INLINE Quads low_product(Quads a, Quads b) { return Quads(vmull_s32(vmovn_s64(a), vmovn_s64(b))); }
 ZERKALO_INLINE UnsignedQuads low_product(UnsignedQuads a, UnsignedQuads b) {
     return UnsignedQuads(vmull_u32(vmovn_u64(a), vmovn_u64(b)));
 }
 ZERKALO_INLINE Doubles square_root(Doubles a) { return Doubles(vsqrtq_f64(a)); }
+ZERKALO_INLINE Words larger(Words a, Words b) { return Words(vmaxq_s32(a, b)); }
 ZERKALO_INLINE Words where_negative(Words m, Words a, Words b) { return m < 0 ? a : b; }
 ZERKALO_INLINE Quads where_negative(Quads m, Quads a, Quads b) { return m < 0 ? a : b; }
 ZERKALO_INLINE std::uint32_t signs_of(Words m) {
@@ -93,6 +95,7 @@ ZERKALO_INLINE UnsignedQuads low_product(UnsignedQuads a, UnsignedQuads b) {
     return UnsignedQuads(_mm512_mul_epu32(__m512i(a), __m512i(b)));
 }
 ZERKALO_INLINE Doubles square_root(Doubles a) { return Doubles(_mm512_sqrt_pd(__m512d(a))); }
+ZERKALO_INLINE Words larger(Words a, Words b) { return Words(_mm256_max_epi32(__m256i(a), __m256i(b))); }
 ZERKALO_INLINE Words where_negative(Words m, Words a, Words b) {
     return Words(_mm256_blendv_ps(__m256(b), __m256(a), __m256(m)));
 }
@@ -106,6 +109,7 @@ ZERKALO_INLINE UnsignedQuads low_product(UnsignedQuads a, UnsignedQuads b) {
     return UnsignedQuads(_mm256_mul_epu32(__m256i(a), __m256i(b)));
 }
 ZERKALO_INLINE Doubles square_root(Doubles a) { return Doubles(_mm256_sqrt_pd(__m256d(a))); }
+ZERKALO_INLINE Words larger(Words a, Words b) { return Words(_mm256_max_epi32(__m256i(a), __m256i(b))); }
 ZERKALO_INLINE Words where_negative(Words m, Words a, Words b) {
     return Words(_mm256_blendv_ps(__m256(b), __m256(a), __m256(m)));
 }
@@ -119,6 +123,7 @@ ZERKALO_INLINE UnsignedQuads low_product(UnsignedQuads a, UnsignedQuads b) {
     return UnsignedQuads(_mm_mul_epu32(__m128i(a), __m128i(b)));
 }
 ZERKALO_INLINE Doubles square_root(Doubles a) { return Doubles(_mm_sqrt_pd(__m128d(a))); }
+ZERKALO_INLINE Words larger(Words a, Words b) { return Words(_mm_max_epi32(__m128i(a), __m128i(b))); }
 ZERKALO_INLINE Words where_negative(Words m, Words a, Words b) {
     return Words(_mm_blendv_ps(__m128(b), __m128(a), __m128(m)));
 }

@@ -116,7 +116,7 @@ ZERKALO_INLINE Words is_equal(const Longs& a, const Longs& b) {
 }
 
 /// Never the most negative integer.
-ZERKALO_INLINE Words held(Words x) { return x > -kMostWord ? x : all_words(-kMostWord); }
+ZERKALO_INLINE Words held(Words x) { return larger(x, all_words(-kMostWord)); }
 ZERKALO_INLINE Quads held(Quads x) { return x - Quads(x == -kMostLong - 1); }
 
 ZERKALO_INLINE Words negative(Words a) { return -a; }
@@ -185,19 +185,14 @@ ZERKALO_INLINE Words rescaled_words(const Longs& x) {
             x);
         return high_words(rounded) >> (Shift - 32);
     } else {
-        const Longs rounded = each_part(
+        return low_words(each_part(
             [](Quads y) ZERKALO_INLINE_LAMBDA {
-                return Quads(UnsignedQuads(y) + UnsignedQuads(sign_of(y) + kHalf));
+                constexpr std::int64_t kMost = std::int64_t{kMostWord} << Shift;
+                const Quads below = y > kMost ? Quads{} + kMost : y;
+                const Quads within = below < -kMost ? Quads{} - kMost : below;
+                return Quads(UnsignedQuads(within + (sign_of(within) + kHalf)) >> Shift);
             },
-            x);
-        const Words result = low_words(each_part(
-            [](Quads y) ZERKALO_INLINE_LAMBDA { return Quads(UnsignedQuads(y) >> Shift); }, rounded));
-        // Too large where the high word has more than Shift bits, and where rounding has reached 2^31.
-        const Words high = high_words(x);
-        const UnsignedWords above = UnsignedWords(high) + (1u << (Shift - 1));
-        Words too_large = ~high & result;
-        if constexpr (Shift < 32) too_large |= Words((above >> Shift) != 0);
-        return held(where_negative(too_large, sign_of(high) ^ kMostWord, result));
+            x));
     }
 }
 

@@ -33,40 +33,38 @@ ZERKALO_ONCE Words last_step(const Longs& a, Words b, Words q) {
 }
 
 /// a / b to nearest, ties away from zero, held at the ends; of a / 0 the end of a's sign, of 0 / 0 the upper one.
-/// `dividend`: the doubles nearest to a; `whole()`: a itself, asked for where these cannot tell; `sign`: sign_of(a).
+/// `dividend`: the doubles nearest to a; `whole()`: a itself, asked for where these cannot tell.
 template <class Whole>
-ZERKALO_INLINE Words rounded_quotient(const DoubleParts& dividend, Words sign, Words b, const Whole& whole) {
-    constexpr double kHeld = 0x1.fffffffbp+30;  // rounds to the largest word
+ZERKALO_INLINE Words rounded_quotient(const DoubleParts& dividend, Words b, const Whole& whole) {
     // Dividend and quotient, below 2^31, are each rounded by 2^-22 at most.
-    constexpr double kNearHalf = 0.5 - 0x1p-20;
+    constexpr double kMost = double(kMostWord), kNearHalf = 0.5 - 0x1p-20;
     struct Answer {
-        Quads quotient, fits, close;
+        Quads quotient, close;
     };
     const auto answer = each_part(
         [](Doubles x, Quads y) ZERKALO_INLINE_LAMBDA {
-            const Doubles q = x / double_of_small(y), rounded = q + 0x1.8p52;
-            const Doubles off = q - (rounded - 0x1.8p52);
-            const Quads fits = Quads((q < kHeld) & (q > -kHeld));
-            return Answer{Quads(rounded), fits, fits & Quads((off > kNearHalf) | (off < -kNearHalf))};
+            // 0 / 0 is no number, and not less than any.
+            const Doubles q = x / double_of_small(y);
+            const Doubles below = q < kMost ? q : Doubles{} + kMost;
+            const Doubles within = below > -kMost ? below : Doubles{} - kMost;
+            const Doubles rounded = within + 0x1.8p52, off = within - (rounded - 0x1.8p52);
+            return Answer{Quads(rounded), Quads((off > kNearHalf) | (off < -kNearHalf))};
         },
         dividend, widened(b));
-    Words q = low_words(each_part([](const Answer& x) ZERKALO_INLINE_LAMBDA { return x.quotient; }, answer));
-    const Words fits = narrow_mask(each_part([](const Answer& x) ZERKALO_INLINE_LAMBDA { return x.fits; }, answer));
+    const Words q = low_words(each_part([](const Answer& x) ZERKALO_INLINE_LAMBDA { return x.quotient; }, answer));
     const Words close = narrow_mask(each_part([](const Answer& x) ZERKALO_INLINE_LAMBDA { return x.close; }, answer));
-    if (signs_of(close) != 0) q = q + last_step(whole(), b, q);
-    const Words end = sign_of(sign ^ b);
-    return where_negative(fits, q, (end ^ kMostWord) - end);
+    return signs_of(close) == 0 ? q : q + (last_step(whole(), b, q) & close);
 }
 ZERKALO_INLINE Words rounded_quotient(const Longs& a, Words b) {
     const DoubleParts dividend = each_part([](Quads x) ZERKALO_INLINE_LAMBDA { return double_of(x); }, a);
-    return rounded_quotient(dividend, sign_of(high_words(a)), b, [&a]() ZERKALO_INLINE_LAMBDA { return a; });
+    return rounded_quotient(dividend, b, [&a]() ZERKALO_INLINE_LAMBDA { return a; });
 }
 /// a 2^Up / b, 0 <= Up <= 31.
 template <int Up>
 ZERKALO_INLINE Words rounded_quotient(Words a, Words b) {
     const DoubleParts dividend = each_part(
         [](Quads x) ZERKALO_INLINE_LAMBDA { return double_of_small(x) * double(std::int64_t{1} << Up); }, widened(a));
-    return rounded_quotient(dividend, sign_of(a), b, [a]() ZERKALO_INLINE_LAMBDA { return raised_longs<Up>(a); });
+    return rounded_quotient(dividend, b, [a]() ZERKALO_INLINE_LAMBDA { return raised_longs<Up>(a); });
 }
 
 /// The integer nearest to the square root of x; 0 for x < 0. As 64 bits: the root may have 32.
