@@ -27,8 +27,8 @@ target_include_directories(zerkalo_commands PUBLIC ${PROJECT_SOURCE_DIR})
 target_compile_definitions(zerkalo_commands PUBLIC ZERKALO_VERSION="${PROJECT_VERSION}")
 target_link_libraries(zerkalo_commands PUBLIC zerkalo_options zerkalo_scene_file zerkalo_stability zerkalo::core
   zerkalo_command_line Threads::Threads)
-# CLI11 is headers: parsed once, and not optimised anew for each command at a level that only the core deserves. What GCC 12
-# inlines from a precompiled header it mistakes for the program's own text.
+# CLI11 is headers: parsed once, and not optimised anew for each command at a level that only the core deserves. What
+# GCC 12 inlines from a precompiled header it mistakes for the program's own text.
 add_library(zerkalo_command_line INTERFACE)
 target_compile_options(zerkalo_command_line INTERFACE $<$<CONFIG:Release>:-O1>
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-array-bounds -Wno-stringop-overflow>)
