@@ -19,12 +19,15 @@ double weight_of(const PlanHead& plan, double samples) {
 /// between: measured over the shipped scenes. The parts of a lattice lie so that together they are the better lattice.
 constexpr double kLattice[] = {0.43, 0.44, 0.29, 0.17, 0.155, 0.20, 0.28, 0.31, 0.36, 0.33, 0.30};
 constexpr double kR2[] = {0.50, 0.42, 0.42, 0.25, 0.13, 0.17, 0.23, 0.23, 0.23, 0.23, 0.23};
+// Rays off normals that the viewer sees lie less evenly.
+constexpr double kLatticeOfGgx[] = {0.62, 0.57, 0.46, 0.32, 0.24, 0.26, 0.34, 0.37, 0.43, 0.40, 0.36};
 constexpr int kOctaves = sizeof kLattice / sizeof *kLattice;
-static_assert(sizeof kR2 == sizeof kLattice);
+static_assert(sizeof kR2 == sizeof kLattice && sizeof kLatticeOfGgx == sizeof kLattice);
 
 double share_of_parts(const PlanHead& plan) {
     if (plan.sampling.estimator == Estimator::random) return 1;
-    const double* table = plan.sampling.estimator == Estimator::r2 ? kR2 : kLattice;
+    const double* of_lattice = plan.features & kFeatureGgx ? kLatticeOfGgx : kLattice;
+    const double* table = plan.sampling.estimator == Estimator::r2 ? kR2 : of_lattice;
     std::int32_t octave = 0, start = kFirstSamples;
     for (; start * 2 <= plan.samples && octave < kOctaves - 1; start *= 2) ++octave;
     double share = table[octave];
@@ -71,7 +74,7 @@ double mix_variance(const PlanHead& plan, const Accumulator& accumulator, const 
 constexpr double kOwnShare = 7.0 / 8;   // of a tile's variance in what it is planned by; the rest is the average tile's
 constexpr double kWorthAPass = 2;       // a pass costs its camera rays: it has to make the weight so many times larger
 constexpr double kLargestStep = 16;     // times the samples so far: an estimate from few samples must not decide all
-constexpr double kMargin = 0.9;         // of the variance asked for: the next estimate is not exactly the expected one
+constexpr double kMargin = 0.95;         // of the variance asked for: the next estimate is not exactly the expected one
 constexpr int kBisections = 12;         // of a range of speeds, by their logarithm
 
 /// What a round is planned by.
