@@ -12,8 +12,11 @@
 #define ZERKALO_ISA isa_baseline
 #endif
 
-// Forced inlining: structs of lanes passed to a function that is not inlined go through memory.
+// Forced inlining: structs of lanes passed to a function that is not inlined go through memory. Who compiles without
+// optimisation, in a namespace of its own, may do without: there it only costs minutes.
+#ifndef ZERKALO_INLINE
 #define ZERKALO_INLINE inline __attribute__((always_inline))
+#endif
 #define ZERKALO_INLINE_LAMBDA __attribute__((always_inline))
 // Once in a kernel: code that is too large to be repeated and not hot enough to need it.
 #define ZERKALO_ONCE inline __attribute__((noinline))

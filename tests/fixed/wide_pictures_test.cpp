@@ -1,5 +1,6 @@
 // The whole fixed-point renderer over lanes: the picture of every kind of solid, mirror and light has the bytes that one
-// lane gives. Compiled without optimisation: loops over arrays of lanes take minutes otherwise.
+// lane gives. Compiled without optimisation and without forced inlining: loops over arrays of lanes take minutes
+// otherwise.
 #include "core/image/hash.hpp"
 #include "core/render/fixed_bounce.hpp"
 #include "tests/proofs/pictures/scenes.hpp"
