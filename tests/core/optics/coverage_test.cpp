@@ -4,7 +4,9 @@
 #include "tests/core/support/rays.hpp"
 #include "tests/core/support/widths.hpp"
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 namespace zerkalo::test {
 namespace {
@@ -43,16 +45,21 @@ Polygon random_polygon(Random& random, double exponent) {
     return polygon;
 }
 
-/// Shares of the lobe's directions, a lattice of `count`, for which `inside` holds.
-template <class Inside>
-double share_of_directions(double exponent, int count, const Inside& inside) {
-    int hits = 0;
+/// Directions of the lobe: a lattice of `count`.
+std::vector<Exact3> directions_of(double exponent, int count) {
+    std::vector<Exact3> directions;
     for (int i = 0; i < count; ++i) {
         const double lost = -std::expm1(std::log((i + 0.5) / count) / (exponent + 1));
         const double across = std::sqrt(lost * (2 - lost)), turn = std::fmod(i * 0.61803398874989484820, 1) * kTurn;
-        hits += inside(Exact3{across * std::cos(turn), across * std::sin(turn), 1 - lost});
+        directions.push_back({across * std::cos(turn), across * std::sin(turn), 1 - lost});
     }
-    return double(hits) / count;
+    return directions;
+}
+
+/// Share of the directions for which `inside` holds.
+template <class Inside>
+double share_of(const std::vector<Exact3>& directions, const Inside& inside) {
+    return double(std::count_if(directions.begin(), directions.end(), inside)) / double(directions.size());
 }
 
 bool is_inside(const Polygon& polygon, const Exact3& d) {
@@ -94,10 +101,11 @@ TEST(CoverageInOneLane, OfAPolygonIsItsShareOfTheLobesDirections) {
     Random random(401);
     for (const double n : kExponents) {
         const LobeProfile profile = profile_of(n);
+        const std::vector<Exact3> directions = directions_of(n, kDirections);
         for (int round = 0; round < 6; ++round) {
             const Polygon polygon = random_polygon(random, n);
             const auto inside = [&](const Exact3& d) { return is_inside(polygon, d); };
-            const double wanted = share_of_directions(n, kDirections, inside);
+            const double wanted = share_of(directions, inside);
             ASSERT_NEAR(coverage_of(one_lane(), profile, {polygon}).front(), wanted, error_bound(n) + kLatticeError)
                 << "n " << n << ", polygon " << round << " of " << polygon.corners.size() << " corners";
         }
@@ -139,10 +147,11 @@ TEST(CoverageInOneLane, OfABallIsItsShareOfTheLobesDirections) {
         const Balls balls = random_balls(random, n, probes::kWidest);
         Floats out(balls.across.size());
         of_balls(one_lane(), profile_of(n), balls, out);
+        const std::vector<Exact3> directions = directions_of(n, kDirections);
         for (std::size_t k = 0; k < out.size(); ++k) {
             const double x = balls.across[k], z = balls.along[k], far2 = x * x + z * z;
             const double nearest2 = far2 - double(balls.radius[k]) * balls.radius[k];
-            const double wanted = share_of_directions(n, kDirections, [&](const Exact3& d) {
+            const double wanted = share_of(directions, [&](const Exact3& d) {
                 const double along = double(d.x) * x + double(d.z) * z;
                 return along > 0 && along * along >= nearest2;
             });
