@@ -122,19 +122,32 @@ std::optional<double> asked_ratio(const std::vector<const Row*>& rows, double er
 
 std::optional<Goal> asked_goal(const std::vector<Row>& rows) {
     constexpr double kError = 0.002, kMost = 1.3;
-    std::string missed;
+    std::string dearer, larger;
     std::vector<double> ratios;
+    const auto list = [](std::string& names, const std::string& scene) {
+        names += (names.empty() ? "" : ", ") + scene;
+    };
     for (const std::string& scene : scenes_of(rows)) {
         const auto ratio = asked_ratio(float_rows(rows, scene), kError);
         if (!ratio) continue;
+        if (std::isinf(*ratio)) {
+            list(larger, scene);
+            continue;
+        }
         ratios.push_back(*ratio);
-        if (*ratio > kMost) missed += (missed.empty() ? "; more on " : ", ") + scene;
+        if (*ratio > kMost) list(dearer, scene);
     }
-    if (ratios.empty()) return std::nullopt;
-    const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
+    if (ratios.empty() && larger.empty()) return std::nullopt;
+    std::string reached = "on no scene";
+    if (!ratios.empty()) {
+        const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
+        reached = format("%.2f to %.2f times on %zu scenes", *least, *most, ratios.size());
+    }
+    if (!dearer.empty()) reached += format("; more than %g on ", kMost) + dearer;
+    if (!larger.empty()) reached += "; a larger error on " + larger;
     return Goal{
         format("--error %g in at most %g times the time of the best equal samples, whole picture", kError, kMost),
-        format("%.2f to %.2f times on %zu scenes", *least, *most, ratios.size()) + missed, missed.empty()};
+        reached, dearer.empty() && larger.empty()};
 }
 
 }  // namespace
