@@ -67,7 +67,8 @@ struct LobeAim {
     RayMask rays;  // that may meet any of them
 };
 
-/// Rays that pass a ball about c, in the lobe's frame, from its origin: |c| <= r, or c.w > 0 and (c.w)^2 >= |c|^2 - r^2.
+/// Rays that pass a ball about c, in the lobe's frame, from its origin:
+///     |c| <= r, or c.w > 0 and (c.w)^2 >= |c|^2 - r^2
 template <class R>
 ZERKALO_INLINE RayMask rays_near_ball(const RayChunk& chunk, std::int32_t count, Vec3<Length<Uniform<R>>> c,
                                       Area<Uniform<R>> beyond) {
@@ -204,8 +205,8 @@ ZERKALO_INLINE void hoist(AimedSolid<R>& aimed, LobeAim<R>& aim, const PlanFor<R
     }
 }
 
-/// Chooses among the candidates for the rays of a chunk from o about m. False where there are too many: then any ray may
-/// meet any of them.
+/// Chooses among the candidates for the rays of a chunk from o about m. False where there are too many: then any ray
+/// may meet any of them.
 template <class R>
 ZERKALO_ONCE bool aim_lobes(LobeAim<R>& aim, const PlanFor<R>& plan, CandidateMask candidates, const RayChunk& chunk,
                             std::int32_t count, const Vec3<Length<R>>& o, const Vec3<Direction<R>>& m,

@@ -1,5 +1,5 @@
-// The fixed-point kernel for scenes whose rays bounce at most once (the scenes of one_bounce.hpp). The same light as the
-// general kernel's, to the last bit: its sums are exact, so they may be added in any order.
+// The fixed-point kernel for scenes whose rays bounce at most once (the scenes of one_bounce.hpp). The same light as
+// the general kernel's, to the last bit: its sums are exact, so they may be added in any order.
 //
 //     camera rays -> local light; the mirror's pixels wait -> sorted by lattice class -> their lobes
 //

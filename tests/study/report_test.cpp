@@ -93,7 +93,8 @@ TEST(StudyReport, WhatIsAskedForIsComparedWithTheBestEqualSamples) {
     EXPECT_TRUE(goal_with(goals_of(rows), "--error").met);
     EXPECT_EQ(goal_with(goals_of(rows), "--error").reached, "0.50 to 1.25 times on 2 scenes");
     rows[2].seconds.value = 2.7;
-    EXPECT_EQ(goal_with(goals_of(rows), "--error").reached, "0.50 to 1.35 times on 2 scenes; more than 1.3 on prism@1000");
+    EXPECT_EQ(goal_with(goals_of(rows), "--error").reached,
+              "0.50 to 1.35 times on 2 scenes; more than 1.3 on prism@1000");
     EXPECT_FALSE(goal_with(goals_of(rows), "--error").met);
     rows[4].regions[static_cast<std::size_t>(Region::picture)].over_rotations.mean = 0.0021;  // not what was asked for
     EXPECT_EQ(goal_with(goals_of(rows), "--error").reached,
