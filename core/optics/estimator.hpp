@@ -24,9 +24,32 @@ struct Sampling {
     std::int32_t place;  // where in its share each point lies, in steps: the middle, or any odd number
 };
 
-/// The smallest share u of a lobe's energy that lies farther out than one of its rays.
-constexpr double least_share(const Sampling& sampling, std::int32_t samples) {
-    return is_keyed(sampling.estimator) ? 0x1p-24 : double(sampling.place) / kShareSteps / samples;
+// A turn is 2^32: 1 over the golden ratio of it, and 1 over the plastic number p and p^2, p = 1.32471795724...
+constexpr std::uint32_t kGoldenTurn = 0x9e3779b9u, kPlasticTurn = 0xc13fa9a9u, kPlasticTurn2 = 0x91e10da5u;
+
+/// The lobe rays of one camera sample of a pixel: a lattice of their own, which with those of the others is one.
+struct LatticePart {
+    float place;             // of every point in its share of the lobe's energy, 0 to 1
+    std::int32_t place_bits;  // the same of 2^20, for fixed point
+    std::uint32_t turn;      // in azimuth
+};
+constexpr int kPlaceBits = 20;
+
+/// Of camera sample a of n: point s lies at s g + a h turns, h = (g + k) / n, and at (a + place) / n of its share. So
+/// each part steps by g, the golden ratio, and all together, n points a share, by h, since n h is g and whole turns. Of
+/// these h it is the nearest to 1 / p, which goes well with 1 and g, the steps of the camera's lattice over the pixel.
+constexpr LatticePart lattice_part(const Sampling& sampling, std::uint32_t a, std::int32_t n) {
+    const auto parts = static_cast<std::uint64_t>(n);
+    const std::uint64_t whole_turns = (parts * kPlasticTurn - kGoldenTurn + (1ull << 31)) >> 32;
+    const auto step = static_cast<std::uint32_t>(((whole_turns << 32) + kGoldenTurn) / parts);
+    const std::uint64_t place = std::uint64_t{a} * kShareSteps + static_cast<std::uint64_t>(sampling.place);
+    return {(float(a) + float(sampling.place) * (1.0f / float(kShareSteps))) / float(n),
+            static_cast<std::int32_t>(((place << kPlaceBits) / kShareSteps + parts / 2) / parts), a * step};
+}
+
+/// The smallest share u of a lobe's energy that lies farther out than one of so many rays of a pixel.
+constexpr double least_share(const Sampling& sampling, double points) {
+    return is_keyed(sampling.estimator) ? 0x1p-24 : double(sampling.place) / kShareSteps / points;
 }
 
 }  // namespace zerkalo

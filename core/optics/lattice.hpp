@@ -17,8 +17,6 @@
 
 namespace zerkalo::inline ZERKALO_ISA {
 
-constexpr std::uint32_t kGoldenTurn = 0x9e3779b9u;  // 2^32 / golden ratio: a turn is 2^32
-
 /// A turn as a fraction -1/2..1/2 of itself, from a phase that wraps at 2^32.
 template <class R>
 ZERKALO_INLINE R turn_of_phase(Bits<R> phase) {
@@ -66,7 +64,6 @@ ZERKALO_INLINE Sampling sampling_of(Estimator estimator, std::uint32_t rotation)
     return {estimator, hash_bits(hash_bits(rotation)), step | 1};
 }
 
-
 /// The two bits of the class of each pixel of an 8x8 tile; bit p of a mask is pixel p, row-major.
 struct LatticeClasses {
     std::uint64_t low, high;
@@ -93,13 +90,18 @@ constexpr int class_of_pixel(const LatticeClasses& classes, int pixel) {
     return static_cast<int>(classes.low >> pixel & 1) | static_cast<int>(classes.high >> pixel & 1) << 1;
 }
 
-/// By how much of a turn a class is rotated, for the given camera sample of a frame.
-ZERKALO_INLINE std::uint32_t phase_of_class(const Sampling& sampling, int lattice_class, std::uint32_t camera_sample) {
-    const std::uint32_t base = hash_bits(camera_sample * 256u + 1u) + sampling.turn;
-    return base + (static_cast<std::uint32_t>(lattice_class) << 30);
+/// By how much of a turn a class is rotated.
+ZERKALO_INLINE std::uint32_t phase_of_class(const Sampling& sampling, int lattice_class) {
+    return hash_bits(1u) + sampling.turn + (static_cast<std::uint32_t>(lattice_class) << 30);
 }
-ZERKALO_INLINE float turn_of_class(const Sampling& sampling, int lattice_class, std::uint32_t camera_sample) {
-    return turn_of_phase<float>(phase_of_class(sampling, lattice_class, camera_sample));
+ZERKALO_INLINE float turn_of_class(const Sampling& sampling, int lattice_class) {
+    return turn_of_phase<float>(phase_of_class(sampling, lattice_class));
+}
+
+/// The phase of point `index` of a part, before its class turns it.
+template <class B>
+ZERKALO_INLINE B phase_in_part(const LatticePart& part, B index) {
+    return index * B(kGoldenTurn) + B(part.turn);
 }
 
 /// A fraction strictly between 0 and 1 of 23 bits: (k + 1/2) / 2^23.
@@ -115,20 +117,15 @@ ZERKALO_INLINE Fraction<R> fraction_of_bits(Bits<R> bits) {
     }
 }
 
-/// Where a point lies in its share of the lobe's energy: 1/2 in rotation 0.
-ZERKALO_INLINE float place_in_share(const Sampling& sampling) {
-    return float(sampling.place) * (1.0f / float(kShareSteps));
-}
-
 /// (s + place) / n and 1 / n, for all lanes.
 template <class R>
-ZERKALO_INLINE Fraction<R> share_point(const Sampling& sampling, std::int32_t s, std::int32_t n) {
+ZERKALO_INLINE Fraction<R> share_point(const LatticePart& part, std::int32_t s, std::int32_t n) {
     if constexpr (Formats<R>::kFixed) {
-        const std::int32_t steps = s * kShareSteps + sampling.place;
-        return Fraction<Uniform<R>>::from_raw(rounded_quotient<std::int64_t, 32>(steps, n) << 19);
+        const std::int64_t steps = (std::int64_t{s} << kPlaceBits) + part.place_bits;
+        return Fraction<Uniform<R>>::from_raw(rounded_quotient<std::int64_t, 21>(steps, n) << 19);
     } else {
         using U = UniformReal<R>;
-        return R((U(s) + U(place_in_share(sampling))) / U(n));
+        return R((U(s) + U(part.place)) / U(n));
     }
 }
 template <class R>
@@ -187,14 +184,14 @@ ZERKALO_INLINE auto lobe_point(Fixed<A, F> u, P turn, Fixed<B, FS> inverse_expon
     return at_azimuth(lobe_polar(u, inverse_exponent), turn);
 }
 
-/// Lattice points index, index + 1, ... of `count`, one a lane, before their class turns them.
+/// Points index, index + 1, ... of the `count` of a part, one a lane, before their class turns them.
 template <class R>
-ZERKALO_INLINE LobePoint<R> lattice_point(const Sampling& sampling, Bits<R> index, std::int32_t count,
+ZERKALO_INLINE LobePoint<R> lattice_point(const LatticePart& part, Bits<R> index, std::int32_t count,
                                           R inverse_exponent) {
     // Exact for index < 2^23: the low bits of a float in [2^23, 2^24).
     const R i = from_bits(index | Bits<R>(0x4b000000u)) - R(8388608.0f);
-    const R u = (i + R(place_in_share(sampling))) / R(float(count));
-    return lobe_point(u, turn_of_phase<R>(index * Bits<R>(kGoldenTurn)), inverse_exponent);
+    const R u = (i + R(part.place)) / R(float(count));
+    return lobe_point(u, turn_of_phase<R>(phase_in_part(part, index)), inverse_exponent);
 }
 
 /// max-Phong: min(1, cos_i / cos_o), nothing from below.

@@ -141,9 +141,6 @@ ZERKALO_INLINE SetPoint<R> sobol_point(Bits<R> index, const SetChoice<Bits<R>>& 
             phase_of<R>(scrambled(reversed_second_dimension(index), second_key(set.key)))};
 }
 
-/// 2^32 / p and 2^32 / p^2, p = 1.32471795724...
-constexpr std::uint32_t kPlasticTurn = 0xc13fa9a9u, kPlasticTurn2 = 0x91e10da5u;
-
 template <class R>
 ZERKALO_INLINE SetPoint<R> r2_point(Bits<R> index, const SetChoice<Bits<R>>& set) {
     return {fraction_of_bits<R>((set.key ^ set.half) + index * Bits<R>(kPlasticTurn)),

@@ -16,7 +16,8 @@ ZERKALO_ONCE void fill_rays(ClassRays& rays, const PlanHead& plan, const LobeFor
     rays.count = left < kRayChunk ? left : kRayChunk;
     PathKey<One> keys[kLatticeClasses]{};
     for (int c = 0; c < kLatticeClasses; ++c) {
-        keys[c].turn = phase_of<One>(phase_of_class(sampling, c, camera_sample));
+        keys[c].turn = phase_of<One>(phase_of_class(sampling, c));
+        keys[c].part = lattice_part(sampling, camera_sample, plan.antialias);
         if (is_keyed(sampling.estimator)) keys[c].set = set_of_class(sampling, tile, c, camera_sample);
     }
     for (std::int32_t i = 0; i < rays.count; ++i) {

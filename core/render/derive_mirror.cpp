@@ -70,7 +70,7 @@ void derive_cone(double n, const PlanHead& plan, bool survey, const Constants<F>
         lobe.cosine = to.weight(0), lobe.sine = lobe.widest_sine = to.weight(1);
         return;
     }
-    const double widest = least_share(plan.sampling, plan.samples);
+    const double widest = least_share(plan.sampling, double(plan.samples) * plan.antialias);
     // Room for the rounding of lattice and frame: both far below 2^-18.
     constexpr double kRoom = 0x1p-18;
     const auto cone = [&](double u) {

@@ -121,11 +121,12 @@ ZERKALO_INLINE PathKey<R> path_key(const PlanFor<R>& plan, const Rect& tile, int
     const std::uint32_t hash = tile_hash(plan, tile);
     const LatticeClasses classes = lattice_classes(hash);
     const bool keyed = is_keyed(plan.sampling.estimator);
-    PathKey<R> key{{}, camera_sample, {}, mask_of<R>(false), mask_of<R>(false), {}};
+    const LatticePart part = lattice_part(plan.sampling, camera_sample, plan.antialias);
+    PathKey<R> key{{}, camera_sample, part, {}, mask_of<R>(false), mask_of<R>(false), {}};
     for (int lane = 0; lane < kWidth<R>; ++lane) {
         const int x = (first + lane) % kTileSide, y = (first + lane) / kTileSide;
         const int lattice_class = class_of_pixel(classes, first + lane);
-        turns[lane] = phase_of<Uniform<R>>(phase_of_class(plan.sampling, lattice_class, camera_sample));
+        turns[lane] = phase_of<Uniform<R>>(phase_of_class(plan.sampling, lattice_class));
         const SetChoice<std::uint32_t> set =
             keyed ? set_of_class(plan.sampling, hash, lattice_class, camera_sample) : SetChoice<std::uint32_t>{0, 0};
         keys[lane] = set.key, halves[lane] = set.half;

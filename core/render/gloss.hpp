@@ -196,7 +196,10 @@ constexpr int kClassChunks = 2;  // of a keyed rule: for the even classes and fo
 template <class R>
 ZERKALO_ONCE void fill_class_chunks(LatticeChunk* chunks, const Plan& plan, const LobeData& lobe, std::uint32_t tile,
                                     std::uint32_t sample, std::int32_t first) {
-    if (!is_keyed(plan.sampling.estimator)) return fill_chunk<R>(chunks[0], plan.sampling, lobe, first, plan.samples);
+    if (!is_keyed(plan.sampling.estimator)) {
+        const LatticePart part = lattice_part(plan.sampling, sample, plan.antialias);
+        return fill_chunk<R>(chunks[0], part, lobe, first, plan.samples);
+    }
     for (int c = 0; c < kClassChunks; ++c) {
         const auto set = set_of_class(plan.sampling, tile, c, sample);
         fill_keyed_chunk<R>(chunks[c], plan.sampling, lobe, set, first, plan.samples);
@@ -218,10 +221,10 @@ ZERKALO_ONCE void flush(GlossQueues& queues, const LatticeClasses& classes, cons
     GroupFrames<R> frames;
     GroupAim<R> aim;
     for (std::int32_t first = 0; first < plan.samples; first += kChunk) {
-        const bool fill = first > 0 || keyed;
+        const bool fill = first > 0 || sample > 0 || keyed;
         if (fill) fill_class_chunks<R>(later, plan, mirror.lobe, queues.tile, sample, first);
         const LatticeChunk* chunks = fill ? later : &mirror.lattice;
-        SineCosine<float> phase = sincos_turn(turn_of_class(plan.sampling, 0, sample));
+        SineCosine<float> phase = sincos_turn(turn_of_class(plan.sampling, 0));
         for (int c = 0; c < kLatticeClasses; ++c, phase = quarter_turned(phase)) {
             GlossQueue& queue = queues.of_class[c];
             const LatticeChunk& chunk = chunks[c & int{keyed}];

@@ -19,12 +19,12 @@ ZERKALO_INLINE void fill_points(LatticeChunk& chunk, std::int32_t first, std::in
     }
 }
 
-/// Of the lattice that all tiles share.
+/// Of a part of the lattice that all tiles share.
 template <class R>
-ZERKALO_INLINE void fill_chunk(LatticeChunk& chunk, const Sampling& sampling, const LobeData& lobe, std::int32_t first,
+ZERKALO_INLINE void fill_chunk(LatticeChunk& chunk, const LatticePart& part, const LobeData& lobe, std::int32_t first,
                                std::int32_t samples) {
     fill_points<R>(chunk, first, samples, [&](Bits<R> index) ZERKALO_INLINE_LAMBDA {
-        return lattice_point<R>(sampling, index, samples, R(lobe.inverse_exponent));
+        return lattice_point<R>(part, index, samples, R(lobe.inverse_exponent));
     });
 }
 
@@ -32,8 +32,9 @@ ZERKALO_INLINE void fill_chunk(LatticeChunk& chunk, const Sampling& sampling, co
 template <class R>
 ZERKALO_INLINE void fill_disc(LatticeChunk& chunk, std::int32_t samples) {
     constexpr float kInverseExponent = 0.5f;
+    const LatticePart whole = lattice_part(sampling_of(Estimator::fibonacci, 0), 0, 1);
     fill_points<R>(chunk, 0, samples, [&](Bits<R> index) ZERKALO_INLINE_LAMBDA {
-        return lattice_point<R>(sampling_of(Estimator::fibonacci, 0), index, samples, R(kInverseExponent));
+        return lattice_point<R>(whole, index, samples, R(kInverseExponent));
     });
 }
 

@@ -83,12 +83,13 @@ ZERKALO_INLINE LobeRay<R> select(Mask<R> mask, const LobeRay<R>& a, const LobeRa
     return {select(mask, a.d, b.d), select(mask, a.weight, b.weight), select(mask, a.above, b.above)};
 }
 
-/// What identifies a camera path: its pixel, the camera sample, its lattice's turn and, in fixed point, the two bits of
-/// its class, or its keyed set.
+/// What identifies a camera path: its pixel, the camera sample and its part of the lattice, its lattice's turn and, in
+/// fixed point, the two bits of its class, or its keyed set.
 template <class R>
 struct PathKey {
     Bits<R> pixel;
     std::uint32_t camera_sample;
+    LatticePart part;
     Phase<R> turn;
     Mask<R> class_low, class_high;
     SetChoice<Bits<R>> set;
@@ -111,22 +112,22 @@ struct LobeRows<R> {
     Row rows[kRows];
 };
 
-/// Phase of lattice ray s before the turn of its pixel.
+/// Phase of ray s of a part of the lattice before the turn of its pixel.
 template <class R>
-ZERKALO_INLINE Phase<Uniform<R>> phase_of_sample(std::int32_t s) {
-    return phase_of<Uniform<R>>(static_cast<std::uint32_t>(s) * kGoldenTurn);
+ZERKALO_INLINE Phase<Uniform<R>> phase_of_sample(const LatticePart& part, std::int32_t s) {
+    return phase_of<Uniform<R>>(phase_in_part(part, static_cast<std::uint32_t>(s)));
 }
 
 template <class R>
-ZERKALO_ONCE void fill_row(typename LobeRows<R>::Row& row, const PlanHead& plan, std::int32_t s,
-                           std::uint32_t camera_sample, Share<Uniform<R>> inverse_exponent) {
+ZERKALO_ONCE void fill_row(typename LobeRows<R>::Row& row, const PlanHead& plan, std::int32_t s, const PathKey<R>& key,
+                           Share<Uniform<R>> inverse_exponent) {
     using One = Uniform<R>;
     row.sample = s;
-    row.camera_sample = camera_sample;
+    row.camera_sample = key.camera_sample;
     row.inverse_exponent = inverse_exponent;
-    const LobePolar<One> polar = lobe_polar(share_point<One>(plan.sampling, s, plan.samples), inverse_exponent);
+    const LobePolar<One> polar = lobe_polar(share_point<One>(key.part, s, plan.samples), inverse_exponent);
     for (int c = 0; c < kLatticeClasses; ++c) {
-        const auto turn = phase_of_sample<One>(s) + phase_of<One>(phase_of_class(plan.sampling, c, camera_sample));
+        const auto turn = phase_of_sample<One>(key.part, s) + phase_of<One>(phase_of_class(plan.sampling, c));
         const LobePoint<One> point = at_azimuth(polar, turn);
         row.forward = point.forward, row.side[c] = point.side, row.up[c] = point.up;
     }
@@ -148,7 +149,7 @@ ZERKALO_INLINE SetPoint<R> place_of_ray(const PlanHead& plan, const PathKey<R>& 
         const auto index = Bits<R>(static_cast<std::uint32_t>(s));
         at = set_point<R>(plan.sampling.estimator, index, plan.samples, key.set);
     } else {
-        at = {share_point<R>(plan.sampling, s, plan.samples), Phase<R>(phase_of_sample<R>(s))};
+        at = {share_point<R>(key.part, s, plan.samples), Phase<R>(phase_of_sample<R>(key.part, s))};
     }
     at.turn = at.turn + key.turn;
     return at;
@@ -163,7 +164,7 @@ ZERKALO_INLINE LobePoint<R> point_of_job(const PlanFor<R>& plan, LobeRows<R>& ro
         if (!is_keyed(plan.sampling.estimator) && none(active & (job.inverse_exponent != exponent))) {
             auto& row = rows.rows[s % LobeRows<R>::kRows];
             if (row.sample != s || row.camera_sample != key.camera_sample || row.inverse_exponent != exponent) {
-                fill_row<R>(row, plan, s, key.camera_sample, exponent);
+                fill_row<R>(row, plan, s, key, exponent);
             }
             const auto of_class = [&key](const Direction<Uniform<R>>* value) ZERKALO_INLINE_LAMBDA {
                 const auto lower = select(key.class_low, Direction<R>(value[1]), Direction<R>(value[0]));

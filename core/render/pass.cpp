@@ -40,7 +40,8 @@ void place_lobe_rays(PlanOf<F>& plan, const Pass& pass) {
         // A keyed rule has other points in every tile.
         if (is_keyed(plan.sampling.estimator)) continue;
         if constexpr (std::is_same_v<F, FloatFormats>) {
-            fill_chunk<float>(mirror.lattice, plan.sampling, mirror.lobe, 0, plan.samples);
+            const LatticePart part = lattice_part(plan.sampling, 0, plan.antialias);
+            fill_chunk<float>(mirror.lattice, part, mirror.lobe, 0, plan.samples);
         } else if constexpr (F::kFixed) {
             fill_rays<FixedNumbers<1>>(mirror.rays, plan, mirror.lobe, 0, 0, 0);
         }

@@ -177,18 +177,15 @@ TEST(LatticeClasses, PixelsOfAClassAreThoseThatHaveIt) {
 }
 
 TEST(LatticeClasses, ClassesAreAQuarterTurnApart) {
-    for (const std::uint32_t sample : {0u, 1u, 77u}) {
-        for (const std::uint32_t rotation : {0u, 3u}) {
-            const Sampling frame = sampling_of(Estimator::fibonacci, rotation);
-            for (int k = 0; k < kLatticeClasses; ++k) {
-                const float step = turn_of_class(frame, (k + 1) % 4, sample) - turn_of_class(frame, k, sample);
-                EXPECT_EQ(step < 0 ? step + 1 : step, 0.25f) << "class " << k << " sample " << sample;
-            }
+    for (const std::uint32_t rotation : {0u, 3u}) {
+        const Sampling frame = sampling_of(Estimator::fibonacci, rotation);
+        for (int k = 0; k < kLatticeClasses; ++k) {
+            const float step = turn_of_class(frame, (k + 1) % 4) - turn_of_class(frame, k);
+            EXPECT_EQ(step < 0 ? step + 1 : step, 0.25f) << "class " << k << " rotation " << rotation;
         }
     }
     const Sampling first = sampling_of(Estimator::fibonacci, 0), second = sampling_of(Estimator::fibonacci, 1);
-    EXPECT_NE(turn_of_class(first, 0, 0), turn_of_class(first, 0, 1));
-    EXPECT_NE(turn_of_class(first, 0, 0), turn_of_class(second, 0, 0));
+    EXPECT_NE(turn_of_class(first, 0), turn_of_class(second, 0));
 }
 
 TEST(LatticeClasses, HashHasItsPublishedValues) {

@@ -68,7 +68,8 @@ void probe_lattice(std::int32_t points, float inverse_exponent, const probes::Po
     std::uint32_t index[probes::kWidest];
     for (int k = 0; k < count; k += kWidth<R>) {
         for (int lane = 0; lane < kWidth<R>; ++lane) index[lane] = static_cast<std::uint32_t>(k + lane);
-        const LobePoint<R> p = lattice_point<R>(sampling_of(Estimator::fibonacci, 0), load_bits<R>(index), points, R(inverse_exponent));
+        const LatticePart whole = lattice_part(sampling_of(Estimator::fibonacci, 0), 0, 1);
+        const LobePoint<R> p = lattice_point<R>(whole, load_bits<R>(index), points, R(inverse_exponent));
         store_point<R>(out, k, {p.side, p.up, p.forward});
     }
 }
