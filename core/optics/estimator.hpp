@@ -29,9 +29,8 @@ constexpr std::uint32_t kGoldenTurn = 0x9e3779b9u, kPlasticTurn = 0xc13fa9a9u, k
 
 /// The lobe rays of one camera sample of a pixel: a lattice of their own, which with those of the others is one.
 struct LatticePart {
-    float place;             // of every point in its share of the lobe's energy, 0 to 1
-    std::int32_t place_bits;  // the same of 2^20, for fixed point
-    std::uint32_t turn;      // in azimuth
+    std::int32_t place;  // of every point in its share of the lobe's energy, of 2^20
+    std::uint32_t turn;  // in azimuth
 };
 constexpr int kPlaceBits = 20;
 
@@ -43,8 +42,7 @@ constexpr LatticePart lattice_part(const Sampling& sampling, std::uint32_t a, st
     const std::uint64_t whole_turns = (parts * kPlasticTurn - kGoldenTurn + (1ull << 31)) >> 32;
     const auto step = static_cast<std::uint32_t>(((whole_turns << 32) + kGoldenTurn) / parts);
     const std::uint64_t place = std::uint64_t{a} * kShareSteps + static_cast<std::uint64_t>(sampling.place);
-    return {(float(a) + float(sampling.place) * (1.0f / float(kShareSteps))) / float(n),
-            static_cast<std::int32_t>(((place << kPlaceBits) / kShareSteps + parts / 2) / parts), a * step};
+    return {static_cast<std::int32_t>(((place << kPlaceBits) / kShareSteps + parts / 2) / parts), a * step};
 }
 
 /// The smallest share u of a lobe's energy that lies farther out than one of so many rays of a pixel.

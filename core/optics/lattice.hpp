@@ -117,15 +117,18 @@ ZERKALO_INLINE Fraction<R> fraction_of_bits(Bits<R> bits) {
     }
 }
 
+/// Where the points of a part lie in their shares of the lobe's energy: 1/2 of the whole lattice in rotation 0.
+ZERKALO_INLINE float place_in_share(const LatticePart& part) { return float(part.place) * 0x1p-20f; }
+
 /// (s + place) / n and 1 / n, for all lanes.
 template <class R>
 ZERKALO_INLINE Fraction<R> share_point(const LatticePart& part, std::int32_t s, std::int32_t n) {
     if constexpr (Formats<R>::kFixed) {
-        const std::int64_t steps = (std::int64_t{s} << kPlaceBits) + part.place_bits;
+        const std::int64_t steps = (std::int64_t{s} << kPlaceBits) + part.place;
         return Fraction<Uniform<R>>::from_raw(rounded_quotient<std::int64_t, 21>(steps, n) << 19);
     } else {
         using U = UniformReal<R>;
-        return R((U(s) + U(part.place)) / U(n));
+        return R((U(s) + U(place_in_share(part))) / U(n));
     }
 }
 template <class R>
@@ -190,7 +193,7 @@ ZERKALO_INLINE LobePoint<R> lattice_point(const LatticePart& part, Bits<R> index
                                           R inverse_exponent) {
     // Exact for index < 2^23: the low bits of a float in [2^23, 2^24).
     const R i = from_bits(index | Bits<R>(0x4b000000u)) - R(8388608.0f);
-    const R u = (i + R(part.place)) / R(float(count));
+    const R u = (i + R(place_in_share(part))) / R(float(count));
     return lobe_point(u, turn_of_phase<R>(phase_in_part(part, index)), inverse_exponent);
 }
 

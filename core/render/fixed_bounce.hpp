@@ -59,10 +59,9 @@ ZERKALO_INLINE Rgb<LightSum<R>> camera_light(const PlanFor<R>& plan, const TileV
 
 /// Renders one tile. Precondition: plan.features without kNeedsGeneral.
 template <class R>
-ZERKALO_ONCE void render_tile_one_bounce_fixed(const PlanFor<R>& plan, const Rect& tile, const LinearImage& image,
+ZERKALO_ONCE void render_tile_one_bounce_fixed(const PlanFor<R>& plan, const Tile& tile, const LinearImage& image,
                                                RayCounts& counts) {
-    counts.primary += static_cast<std::uint64_t>(tile.width) * static_cast<std::uint64_t>(tile.height) *
-                      static_cast<std::uint64_t>(plan.antialias);
+    counts.primary += camera_rays(plan, tile);
     const TileView view = view_of_tile<R>(plan, tile);
     if (view.seen == 0) return fill_tile<R>(plan, tile, image);
     FixedColours colours;
@@ -76,7 +75,7 @@ ZERKALO_ONCE void render_tile_one_bounce_fixed(const PlanFor<R>& plan, const Rec
         waiting.pixels = 0;
         waiting.candidates = 0;
         for (int first = 0; first < tile.height * kTileSide; first += kWidth<R>) {
-            const auto active = lanes_inside<R>(tile, first);
+            const auto active = lanes_of<R>(tile, first);
             if (none(active)) continue;
             const CameraRay<R> camera = camera_ray<R>(plan, columns, tile, first, at);
             store_sum<R>(sums, first, camera_light<R>(plan, view, camera, active, first, waiting, tile_counts));
@@ -97,7 +96,7 @@ ZERKALO_ONCE void render_tile_one_bounce_fixed(const PlanFor<R>& plan, const Rec
 
 /// Renders one tile of any scene, by the smaller kernel that can.
 template <class R>
-ZERKALO_INLINE void render_tile_fixed(const PlanFor<R>& plan, const Rect& tile, const LinearImage& image,
+ZERKALO_INLINE void render_tile_fixed(const PlanFor<R>& plan, const Tile& tile, const LinearImage& image,
                                       RayCounts& counts) {
     if (plan.features & kNeedsGeneral) {
         render_tile_general<R>(plan, tile, image, counts);

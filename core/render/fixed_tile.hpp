@@ -95,7 +95,7 @@ ZERKALO_INLINE std::uint32_t float_bits_of(std::int64_t x, int exponent) {
 
 /// The tile's part of the picture.
 template <class R>
-ZERKALO_INLINE void write_tile(const FixedPlan& plan, const FixedColours& colours, const Rect& tile,
+ZERKALO_INLINE void write_tile(const FixedPlan& plan, const FixedColours& colours, const Tile& tile,
                                const LinearImage& image) {
     const int exponent = plan.exposure - PixelSum::kFraction;
 #if defined(ZERKALO_INT_VECTORS)
@@ -108,21 +108,19 @@ ZERKALO_INLINE void write_tile(const FixedPlan& plan, const FixedColours& colour
         return write_rows<Real<kVectorWidth>>(floats, kTileSide, tile, image);
     }
 #endif
-    for (std::int32_t y = 0; y < tile.height; ++y) {
-        float* out = image.row(tile.top + y) + 3 * tile.left;
-        for (std::int32_t x = 0; x < tile.width; ++x, out += 3) {
-            const std::int32_t pixel = y * kTileSide + x;
-            const std::uint32_t bits[3] = {float_bits_of(colours.r[pixel], exponent),
-                                           float_bits_of(colours.g[pixel], exponent),
-                                           float_bits_of(colours.b[pixel], exponent)};
-            __builtin_memcpy(out, bits, sizeof bits);
-        }
+    for (std::uint64_t left = tile.pixels; left != 0; left &= left - 1) {
+        const int pixel = first_of(left);
+        float* out = image.row(tile.top + pixel / kTileSide) + 3 * (tile.left + pixel % kTileSide);
+        const std::uint32_t bits[3] = {float_bits_of(colours.r[pixel], exponent),
+                                       float_bits_of(colours.g[pixel], exponent),
+                                       float_bits_of(colours.b[pixel], exponent)};
+        __builtin_memcpy(out, bits, sizeof bits);
     }
 }
 
 /// A tile that sees nothing: the background, as pixels of rendered tiles have it.
 template <class R>
-ZERKALO_INLINE void fill_tile(const FixedPlan& plan, const Rect& tile, const LinearImage& image) {
+ZERKALO_INLINE void fill_tile(const FixedPlan& plan, const Tile& tile, const LinearImage& image) {
     using One = FixedNumbers<1>;
     const Rgb<LightSum<One>> light = plan.background * Rgb<Weight<One>>{Weight<One>(1), Weight<One>(1), Weight<One>(1)};
     FixedColours colours;

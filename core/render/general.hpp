@@ -147,10 +147,9 @@ ZERKALO_INLINE PathKey<R> path_key(const PlanFor<R>& plan, const Rect& tile, int
 
 /// Renders one tile of any scene. R: the lanes, or the fixed-point system.
 template <class R>
-inline void render_tile_general(const PlanFor<R>& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
+inline void render_tile_general(const PlanFor<R>& plan, const Tile& tile, const LinearImage& image, RayCounts& counts,
                                 TileSpread* spread_of_tile = nullptr) {
-    counts.primary += static_cast<std::uint64_t>(tile.width) * static_cast<std::uint64_t>(tile.height) *
-                      static_cast<std::uint64_t>(plan.antialias);
+    counts.primary += camera_rays(plan, tile);
     const TileView view = view_of_tile<R>(plan, tile);
     if (view.seen == 0) return fill_tile<R>(plan, tile, image);
     TileColoursFor<R> colours;
@@ -163,7 +162,7 @@ inline void render_tile_general(const PlanFor<R>& plan, const Rect& tile, const 
         TileColumns<R> columns;
         fill_columns(columns, plan, tile, at);
         for (int first = 0; first < tile.height * kTileSide; first += kWidth<R>) {
-            const auto active = lanes_inside<R>(tile, first);
+            const auto active = lanes_of<R>(tile, first);
             if (none(active)) continue;
             const PathKey<R> key =
                 lobes ? path_key<R>(plan, tile, first, static_cast<std::uint32_t>(a)) : PathKey<R>{};

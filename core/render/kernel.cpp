@@ -15,36 +15,36 @@ using G = Real<(ZERKALO_WIDTH < 8 ? ZERKALO_WIDTH : 8)>;
 
 namespace {
 
-void sharp(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
+void sharp(const Plan& plan, const Tile& tile, const LinearImage& image, RayCounts& counts) {
     const IeeeMode ieee;
     render_tile_sharp<R>(plan, tile, image, counts);
 }
-void lobe(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
+void lobe(const Plan& plan, const Tile& tile, const LinearImage& image, RayCounts& counts) {
     const IeeeMode ieee;
     render_tile_lobe<R>(plan, tile, image, counts);
 }
-void covered(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
+void covered(const Plan& plan, const Tile& tile, const LinearImage& image, RayCounts& counts) {
     const IeeeMode ieee;
     render_tile_aided<R, G>(plan, tile, image, counts, nullptr);
 }
-void general(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
+void general(const Plan& plan, const Tile& tile, const LinearImage& image, RayCounts& counts) {
     const IeeeMode ieee;
     render_tile_general<G>(plan, tile, image, counts);
 }
 
 // The same with the spread; where no lobe is there is none.
-void sharp_with_spread(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
+void sharp_with_spread(const Plan& plan, const Tile& tile, const LinearImage& image, RayCounts& counts,
                        TileSpread& spread) {
     spread = {};
     sharp(plan, tile, image, counts);
 }
-void lobe_with_spread(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
+void lobe_with_spread(const Plan& plan, const Tile& tile, const LinearImage& image, RayCounts& counts,
                       TileSpread& spread) {
     const IeeeMode ieee;
     spread = {};
     render_tile_aided<R, G>(plan, tile, image, counts, &spread);
 }
-void general_with_spread(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
+void general_with_spread(const Plan& plan, const Tile& tile, const LinearImage& image, RayCounts& counts,
                          TileSpread& spread) {
     const IeeeMode ieee;
     spread = {};

@@ -6,7 +6,7 @@
 namespace zerkalo {
 namespace {
 
-void render_tile_in_double(const DoublePlan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
+void render_tile_in_double(const DoublePlan& plan, const Tile& tile, const LinearImage& image, RayCounts& counts) {
     const IeeeMode ieee;
     render_tile_general<double>(plan, tile, image, counts);
 }

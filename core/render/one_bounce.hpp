@@ -88,17 +88,13 @@ ZERKALO_INLINE Rgb<R> packet_light(const Plan& plan, const TileView& view, Vec3<
 /// The tile's pixels as the camera's rays through one place of each see them, without what waits in the queues.
 /// A function of its own: the kernels of an unpolished mirror share it.
 template <class R, class Queues>
-ZERKALO_ONCE void trace_camera(const Plan& plan, const Rect& tile, const TileView& view, SubPixel at, bool add,
+ZERKALO_ONCE void trace_camera(const Plan& plan, const Tile& tile, const TileView& view, SubPixel at, bool add,
                                TileColours& colours, Queues& queues, TileCounts& counts) {
-    const bool whole = tile.width == kTileSide && tile.height == kTileSide;
     TileColumns<R> columns;
     fill_columns(columns, plan, tile, at);
     for (int first = 0; first < tile.height * kTileSide; first += kWidth<R>) {
-        auto active = Mask<R>(true);
-        if (!whole) {
-            active = lanes_inside<R>(tile, first);
-            if (none(active)) continue;
-        }
+        const auto active = lanes_of<R>(tile, first);
+        if (none(active)) continue;
         const Vec3<R> column = columns.towards[first / kWidth<R> % TileColumns<R>::kPackets];
         const Vec3<R> towards = towards_pixel(plan.camera, column, twice_upwards(plan, row_lanes<R>(tile, first), at));
         put(colours, first, packet_light(plan, view, towards, active, first, queues, counts), add);
@@ -107,10 +103,9 @@ ZERKALO_ONCE void trace_camera(const Plan& plan, const Rect& tile, const TileVie
 
 /// Counts the tile's camera rays and finds what they can see. False: nothing, and the tile is done.
 template <class R>
-ZERKALO_INLINE bool begin_tile(TileView& view, const Plan& plan, const Rect& tile, const LinearImage& image,
+ZERKALO_INLINE bool begin_tile(TileView& view, const Plan& plan, const Tile& tile, const LinearImage& image,
                              RayCounts& counts) {
-    counts.primary += static_cast<std::uint64_t>(tile.width) * static_cast<std::uint64_t>(tile.height) *
-                      static_cast<std::uint64_t>(plan.antialias);
+    counts.primary += camera_rays(plan, tile);
     view = view_of_tile<R>(plan, tile);
     if (view.seen != 0) return true;
     fill_tile<R>(plan, tile, image);
@@ -118,7 +113,7 @@ ZERKALO_INLINE bool begin_tile(TileView& view, const Plan& plan, const Rect& til
 }
 
 template <class R>
-ZERKALO_INLINE void finish_tile(TileColours& colours, const TileCounts& tile_counts, const Plan& plan, const Rect& tile,
+ZERKALO_INLINE void finish_tile(TileColours& colours, const TileCounts& tile_counts, const Plan& plan, const Tile& tile,
                               const LinearImage& image, RayCounts& counts) {
     if (plan.antialias > 1) average<R>(colours, plan.antialias);
     write_tile<R>(plan, colours, tile, image);
@@ -131,7 +126,7 @@ ZERKALO_INLINE void finish_tile(TileColours& colours, const TileCounts& tile_cou
 
 /// Renders one tile of a scene whose mirror, if it has one, is polished.
 template <class R>
-inline void render_tile_sharp(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
+inline void render_tile_sharp(const Plan& plan, const Tile& tile, const LinearImage& image, RayCounts& counts) {
     TileView view;
     if (!begin_tile<R>(view, plan, tile, image, counts)) return;
     TileColours colours;
@@ -145,7 +140,7 @@ inline void render_tile_sharp(const Plan& plan, const Rect& tile, const LinearIm
 
 /// Renders one tile of a scene whose mirror is unpolished. `trace` is told the waiting pixels of each camera ray.
 template <class R, class Trace>
-ZERKALO_INLINE void render_tile_glossy(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
+ZERKALO_INLINE void render_tile_glossy(const Plan& plan, const Tile& tile, const LinearImage& image, RayCounts& counts,
                                        const Trace& trace) {
     TileView view;
     if (!begin_tile<R>(view, plan, tile, image, counts)) return;
@@ -166,7 +161,7 @@ ZERKALO_INLINE void render_tile_glossy(const Plan& plan, const Rect& tile, const
 
 /// With lobe rays alone.
 template <class R>
-inline void render_tile_lobe(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
+inline void render_tile_lobe(const Plan& plan, const Tile& tile, const LinearImage& image, RayCounts& counts) {
     render_tile_glossy<R>(plan, tile, image, counts,
                           [&](GlossQueues& queues, const LatticeClasses& classes, CandidateMask candidates,
                               std::int32_t a, SubPixel, TileColours& colours, TileCounts& tile_counts) {
@@ -197,7 +192,7 @@ ZERKALO_INLINE void cover_lobes(CoveredTile& covered, const GlossQueues& queues,
 /// With solids that are covered before the lobe rays, if the plan says so, and telling how sure the average is, if
 /// `spread` is not null. G: the lanes of the lobe's rays, where R may be too many for the stack.
 template <class R, class G>
-inline void render_tile_aided(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
+inline void render_tile_aided(const Plan& plan, const Tile& tile, const LinearImage& image, RayCounts& counts,
                               TileSpread* spread) {
     const bool covers = (plan.features & kFeatureCoverage) != 0;
     CoveredTile covered;

@@ -7,13 +7,15 @@
 
 namespace zerkalo::inline ZERKALO_ISA {
 
-/// 0, 1, ... as lanes and as bits.
+/// 0, 1, ... as lanes and as bits, and 2 to their powers.
 struct LaneNumbers {
     float real[16];
-    std::uint32_t bits[16];
+    std::uint32_t bits[16], powers[16];
 };
 constexpr LaneNumbers kLaneNumbers{{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15},
-                                   {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}};
+                                   {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15},
+                                   {1u, 1u << 1, 1u << 2, 1u << 3, 1u << 4, 1u << 5, 1u << 6, 1u << 7, 1u << 8,
+                                    1u << 9, 1u << 10, 1u << 11, 1u << 12, 1u << 13, 1u << 14, 1u << 15}};
 
 /// Column and row of the pixels of a tile, row-major: of any packet's lanes, from its first pixel's.
 struct LanePlaces {
@@ -69,12 +71,19 @@ ZERKALO_INLINE PixelLanes<R> pixel_lanes(const Rect& tile, int first) {
     return {column_lanes<R>(tile, first), row_lanes<R>(tile, first)};
 }
 
-/// Lanes whose pixel belongs to the tile, which the picture's edge may cut.
+/// Lanes whose pixel is one of the tile's.
 template <class R>
-ZERKALO_INLINE Mask<R> lanes_inside(const Rect& tile, int first) {
-    const PixelLanes<R> pixel = pixel_lanes<R>(tile, first);
-    const Pixels<R> right = pixels_of<R>(tile.left + tile.width), bottom = pixels_of<R>(tile.top + tile.height);
-    return (pixel.x < right) & (pixel.y < bottom);
+ZERKALO_INLINE Mask<R> lanes_of(const Tile& tile, int first) {
+    if (tile.pixels == kWholeTile) return mask_of<R>(true);
+    auto active = mask_of<R>(false);
+    if constexpr (Formats<R>::kFixed || kWidth<R> == 1) {
+        for (int k = 0; k < kWidth<R>; ++k) set_lane(active, k, (tile.pixels >> (first + k) & 1) != 0);
+    } else {
+        // A lane's bit makes a float of [1, 2) more than 1.
+        const auto here = Bits<R>(static_cast<std::uint32_t>(tile.pixels >> first)) & load_bits<R>(kLaneNumbers.powers);
+        active = from_bits(here | Bits<R>(0x3f800000u)) > R(1);
+    }
+    return active;
 }
 
 /// A point of the pixel, from its centre, in pixels.

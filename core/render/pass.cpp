@@ -24,6 +24,9 @@ Status check_pass(const Pass& pass) {
     if (pass.samples < 1 || pass.samples > kMaxSamples) {
         return {"samples", "must lie in 1..1048576", Part::settings, 0};
     }
+    if (pass.antialias < 0 || pass.antialias > kMaxAntialias) {
+        return {"antialias", "must lie in 0..4096", Part::settings, 0};
+    }
     if (pass.rotation < 0) return {"rotation", "must lie in 0..2147483647", Part::settings, 0};
     return kOk;
 }
@@ -31,6 +34,7 @@ Status check_pass(const Pass& pass) {
 template <class F>
 void place_lobe_rays(PlanOf<F>& plan, const Pass& pass) {
     plan.samples = pass.samples;
+    if (pass.antialias > 0) plan.antialias = pass.antialias;
     plan.sampling = sampling_of(plan.sampling.estimator, static_cast<std::uint32_t>(pass.rotation));
     for (std::int32_t m = 0; m < plan.mirror_count; ++m) {
         MirrorPlanOf<F>& mirror = plan.mirrors[m];

@@ -15,6 +15,20 @@ namespace zerkalo {
 
 constexpr int kTileSide = 8;
 constexpr int kTilePixels = kTileSide * kTileSide;
+constexpr std::uint64_t kWholeTile = ~std::uint64_t{0};
+
+/// Pixels to render of a tile: bit p is pixel p of the full tile side, row-major. Of a rectangle: all of it.
+struct Tile : Rect {
+    std::uint64_t pixels;
+
+    constexpr Tile(const Rect& rect) : Tile(rect, kWholeTile) {}
+    /// Those of `chosen` that the rectangle has.
+    constexpr Tile(const Rect& rect, std::uint64_t chosen) : Rect(rect), pixels(chosen) {
+        constexpr std::uint64_t kFirstColumn = 0x0101010101010101ull;
+        if (width < kTileSide) pixels &= kFirstColumn * ((1u << width) - 1);
+        if (height < kTileSide) pixels &= (std::uint64_t{1} << (kTileSide * height)) - 1;
+    }
+};
 constexpr int kWidestLane = 16;
 static_assert(kMaxMirrors <= kWidestLane);
 constexpr int kMaxSlabs = kMaxSolids * (kMaxSides + 1);
@@ -199,7 +213,7 @@ struct OneBouncePlan<FloatFormats> {
 struct PlanHead {
     Vec3<double> origin;  // of all places in the plan: 0, but for a scene that lies far from there
     std::int32_t width, height;
-    std::int32_t samples, antialias, depth_limit;
+    std::int32_t samples, antialias, edge_antialias, depth_limit;
     Sampling sampling;
     std::uint32_t features;
     std::uint8_t exact_plan;

@@ -13,21 +13,18 @@ namespace zerkalo {
 namespace {
 
 Status check(const Settings& settings, const ImageSize& size) {
-    const auto complain = [](const char* field, const char* reason) {
-        return Status{field, reason, Part::settings, 0};
-    };
+    const auto complain = [](const char* field, const char* why) { return Status{field, why, Part::settings, 0}; };
     if (size.width < 1 || size.width > kMaxImageSide) return complain("width", "must lie in 1..65536");
     if (size.height < 1 || size.height > kMaxImageSide) return complain("height", "must lie in 1..65536");
     if (std::int64_t{size.width} * size.height > kMaxPixels) {
         return complain("height", "times width must be at most 2^28 pixels");
     }
     if (const Status status = check_pass({settings.samples, settings.rotation}); !status.ok()) return status;
-    if (settings.antialias < 1 || settings.antialias > kMaxAntialias) {
-        return complain("antialias", "must lie in 1..4096");
-    }
-    if (settings.depth_limit < 0 || settings.depth_limit > kMaxDepth) {
-        return complain("depth_limit", "must lie in 0..255");
-    }
+    const std::int32_t rays = settings.antialias, edge_rays = settings.edge_antialias, depth = settings.depth_limit;
+    if (rays < 1 || rays > kMaxAntialias) return complain("antialias", "must lie in 1..4096");
+    if (edge_rays < 0 || edge_rays > kMaxAntialias) return complain("edge_antialias", "must lie in 0..4096");
+    if (edge_rays > 0 && rays > 1) return complain("edge_antialias", "needs antialias = 1 elsewhere");
+    if (depth < 0 || depth > kMaxDepth) return complain("depth_limit", "must lie in 0..255");
     if (static_cast<int>(settings.estimator) >= kEstimatorCount) return complain("estimator", "is none of the list");
     return kOk;
 }
@@ -172,7 +169,7 @@ void derive_features(const Scene& scene, const Constants<F>& to, PlanOf<F>& plan
         if (near_or_inside(plan, to, scene.lights[j].position)) plan.features |= kFeatureInside;
     }
     if (plan.light_count > 0 && plan.solid_count + plan.mirror_count > 1) plan.features |= kFeatureShadow;
-    if (plan.antialias > 1) plan.features |= kFeatureAntialias;
+    if (plan.antialias > 1 || plan.edge_antialias > 1) plan.features |= kFeatureAntialias;
     if (has_coverage(plan)) plan.features |= kFeatureCoverage;
 }
 
@@ -204,7 +201,8 @@ void derive_one_bounce(const Scene& scene, const Viewpoint& eye, const Constants
 
 void derive_head(const Scene& scene, const Settings& settings, const ImageSize& size, PlanHead& plan) {
     plan.width = size.width, plan.height = size.height;
-    plan.antialias = settings.antialias, plan.depth_limit = settings.depth_limit;
+    plan.antialias = settings.antialias, plan.edge_antialias = settings.edge_antialias;
+    plan.depth_limit = settings.depth_limit;
     plan.sampling.estimator = settings.estimator;
     plan.features = 0;
     plan.exact_plan = settings.exact_plan;

@@ -42,11 +42,11 @@ struct RayCounts {
 };
 
 /// Renders one tile of the plan's picture into `image` (whole picture, plan.width x plan.height); adds to `counts`.
-/// Touches no pixel outside the tile. A pure function of the plan: same bytes for any order, thread or ISA.
-using TileFunction = void (*)(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts);
-using FixedTileFunction = void (*)(const FixedPlan& plan, const Rect& tile, const LinearImage& image,
+/// Touches no pixel but the tile's. A pure function of the plan: same bytes for any order, thread or ISA.
+using TileFunction = void (*)(const Plan& plan, const Tile& tile, const LinearImage& image, RayCounts& counts);
+using FixedTileFunction = void (*)(const FixedPlan& plan, const Tile& tile, const LinearImage& image,
                                    RayCounts& counts);
-using DoubleTileFunction = void (*)(const DoublePlan& plan, const Rect& tile, const LinearImage& image,
+using DoubleTileFunction = void (*)(const DoublePlan& plan, const Tile& tile, const LinearImage& image,
                                     RayCounts& counts);
 
 constexpr int kSpreadParts = 4;  // of the lobe rays: a spread needs a multiple of so many
@@ -60,7 +60,7 @@ struct TileSpread {
 
 /// A TileFunction that also adds the spread of the tile's pixels; the picture's bytes are the same. Precondition:
 /// plan.samples is a multiple of kSpreadParts.
-using SpreadFunction = void (*)(const Plan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts,
+using SpreadFunction = void (*)(const Plan& plan, const Tile& tile, const LinearImage& image, RayCounts& counts,
                                 TileSpread& spread);
 
 /// Checks scene and settings and derives every constant of the frame. On error `plan` is left unspecified.

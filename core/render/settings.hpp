@@ -19,12 +19,14 @@ constexpr std::int32_t kMaxBranchDepth = 16;  // where a surface both reflects a
 struct Pass {
     std::int32_t samples, rotation;
     bool survey = false;  // culling leaves in what more samples would need: the ray counts tell where lobe rays matter
+    std::int32_t antialias = 0;  // camera rays a pixel; 0: as many as before
 };
 
 struct Settings {
     std::int32_t width = 0, height = 0;  // 0: the scene's
     std::int32_t samples = 16;           // lobe rays at the first glossy hit of a camera path, 1..kMaxSamples
     std::int32_t antialias = 1;          // camera rays a pixel, box filter; 1 is the pixel's centre
+    std::int32_t edge_antialias = 0;     // of a pixel at an edge (render/edges.hpp); 0: as of the others, which have 1
     std::int32_t depth_limit = 6;        // a ray deeper than this is not traced and adds nothing, 0..kMaxDepth
     std::int32_t rotation = 0;           // one of the equally good placements of the lobe rays: independent frames
     Estimator estimator = Estimator::fibonacci;  // the rule that places them

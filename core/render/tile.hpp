@@ -80,6 +80,14 @@ ZERKALO_INLINE TileView view_of_tile(const PlanOf<F>& plan, const Rect& tile) {
     return view;
 }
 
+ZERKALO_INLINE std::uint64_t camera_rays(const PlanHead& plan, const Tile& tile) {
+    std::uint64_t pixels = tile.pixels == kWholeTile ? kTilePixels : 0;
+    if (pixels == 0) {
+        for (std::uint64_t left = tile.pixels; left != 0; left &= left - 1) ++pixels;
+    }
+    return pixels * static_cast<std::uint64_t>(plan.antialias);
+}
+
 /// Linear colours of a tile's pixels, row-major over the full tile side; padded for whole packets. T: float or double.
 template <class T>
 struct FloatingColours {
@@ -127,32 +135,32 @@ ZERKALO_INLINE void write_whole_row(const FloatingColours<T>& colours, int first
 
 /// Writes the tile's part of the picture from rows that lie `step` apart.
 template <class R, class T>
-ZERKALO_INLINE void write_rows(const FloatingColours<T>& colours, int step, const Rect& tile,
+ZERKALO_INLINE void write_rows(const FloatingColours<T>& colours, int step, const Tile& tile,
                                const LinearImage& image) {
-    float* out = image.row(tile.top) + 3 * tile.left;
-    const std::int32_t height = tile.height;
-    if (tile.width == kTileSide) {
-        for (std::int32_t y = 0; y < height; ++y, out = image.below(out)) {
+    if (tile.pixels == kWholeTile) {
+        float* out = image.row(tile.top) + 3 * tile.left;
+        for (std::int32_t y = 0; y < kTileSide; ++y, out = image.below(out)) {
             write_whole_row<R>(colours, y * step, out);
         }
         return;
     }
-    for (std::int32_t y = 0; y < height; ++y, out = image.below(out)) {
-        float row[3 * kTileSide];
-        write_whole_row<R>(colours, y * step, row);
-        for (std::int32_t x = 0; x < 3 * tile.width; ++x) out[x] = row[x];
+    for (std::uint64_t left = tile.pixels; left != 0; left &= left - 1) {
+        const int pixel = first_of(left), x = pixel % kTileSide, y = pixel / kTileSide;
+        float* out = image.row(tile.top + y) + 3 * (tile.left + x);
+        const int from = y * step + x;
+        out[0] = float(colours.r[from]), out[1] = float(colours.g[from]), out[2] = float(colours.b[from]);
     }
 }
 
 template <class R, class T>
-ZERKALO_INLINE void write_tile(const PlanOf<FloatingFormats<T>>&, const FloatingColours<T>& colours, const Rect& tile,
+ZERKALO_INLINE void write_tile(const PlanOf<FloatingFormats<T>>&, const FloatingColours<T>& colours, const Tile& tile,
                                const LinearImage& image) {
     write_rows<R>(colours, kTileSide, tile, image);
 }
 
 /// A tile that sees nothing: the background, summed and divided as the samples of rendered pixels are.
 template <class R, class T>
-ZERKALO_INLINE void fill_tile(const PlanOf<FloatingFormats<T>>& plan, const Rect& tile, const LinearImage& image) {
+ZERKALO_INLINE void fill_tile(const PlanOf<FloatingFormats<T>>& plan, const Tile& tile, const LinearImage& image) {
     Rgb<T> c = plan.background;
     for (std::int32_t a = 1; a < plan.antialias; ++a) c = c + plan.background;
     if (plan.antialias > 1) {

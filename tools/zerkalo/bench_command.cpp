@@ -42,7 +42,7 @@ void measure(benchmark::State& state, const Frame& frame, int first, int last, C
     const double start = cpu_nanoseconds();
     for ([[maybe_unused]] const auto iteration : state) {
         for (int tile = first; tile < last; ++tile) {
-            frame.render_tile(tile, rays);
+            frame.render_tile(tile_at(frame.head(), tile), rays);
         }
     }
     const double nanoseconds = cpu_nanoseconds() - start;

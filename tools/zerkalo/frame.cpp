@@ -1,19 +1,42 @@
 #include "tools/zerkalo/frame.hpp"
 
+#include "core/render/edges.hpp"
 #include "tools/thread_tiles.hpp"
 #include "tools/zerkalo/failure.hpp"
 #include "tools/zerkalo/messages.hpp"
 #include "tools/zerkalo/progress.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 
 namespace zerkalo {
 namespace {
 
-RayCounts render_once(const Frame& frame, Progress* progress) {
+/// The edges of a finished picture, tile by tile, and how many there are.
+struct EdgePixels {
+    std::vector<std::uint64_t> of_tile;
+    std::int64_t count = 0;
+};
+
+EdgePixels find_edges(const Frame& frame) {
+    EdgePixels edges;
+    edges.of_tile.resize(static_cast<std::size_t>(tile_count(frame.head())));
+    thread_tiles(tile_count(frame.head()), frame.threads, [&](int i, int) {
+        edges.of_tile[static_cast<std::size_t>(i)] = edge_pixels(frame.image, tile_at(frame.head(), i));
+    });
+    for (const std::uint64_t pixels : edges.of_tile) edges.count += std::popcount(pixels);
+    return edges;
+}
+
+/// Renders of every tile the pixels that `chosen` names; tiles without any are left out.
+/// Those begun after `stopped` was set too.
+template <class Chosen>
+RayCounts render_tiles(const Frame& frame, Progress* progress, const std::atomic<bool>* stopped, const Chosen& chosen) {
     std::vector<ThreadCounts> counts(static_cast<std::size_t>(frame.threads));
-    const auto render_tile = [&](int tile, int thread) {
+    const auto render_tile = [&](int i, int thread) {
+        const Tile tile(tile_at(frame.head(), i), chosen(i));
+        if (tile.pixels == 0 || (stopped && stopped->load(std::memory_order_relaxed))) return;
         RayCounts& rays = counts[static_cast<std::size_t>(thread)].rays;
         const std::uint64_t before = progress ? total_of(rays) : 0;
         frame.render_tile(tile, rays);
@@ -26,6 +49,22 @@ RayCounts render_once(const Frame& frame, Progress* progress) {
     RayCounts sum;
     for (const ThreadCounts& of_thread : counts) sum += of_thread.rays;
     return sum;
+}
+
+constexpr auto kAllPixels = [](int) { return kWholeTile; };
+
+void render_once(const Frame& frame, Progress* progress, const std::atomic<bool>* stopped, FrameCost& cost) {
+    const std::int32_t antialias = frame.head().edge_antialias;
+    if (antialias == 0) {
+        cost.rays = render_tiles(frame, progress, stopped, kAllPixels);
+        return;
+    }
+    frame.begin(centre_pass(frame.samples, frame.rotation));
+    cost.rays = render_tiles(frame, progress, stopped, kAllPixels);
+    const EdgePixels edges = find_edges(frame);
+    frame.begin(edge_pass(frame.samples, frame.rotation, antialias));
+    cost.rays += render_tiles(frame, nullptr, stopped, [&](int i) { return edges.of_tile[static_cast<std::size_t>(i)]; });
+    cost.edge_pixels = edges.count;
 }
 
 // A setting is named as the option that sets it, a part of the scene by its table and place.
@@ -47,6 +86,17 @@ std::unique_ptr<AnyPlan> prepared(const Scene& scene, const Settings& settings) 
 }
 
 }  // namespace
+
+void Frame::begin(const Pass& pass) const {
+    // Their samples, camera rays and rotation are those of checked settings.
+    if (plan) {
+        (void)begin_pass(*plan, pass);
+    } else if (fixed_plan) {
+        (void)begin_pass(*fixed_plan, pass);
+    } else {
+        (void)begin_pass(*double_plan, pass);
+    }
+}
 
 Frame prepare_frame(const Scene& scene, const Settings& settings, Isa isa, int threads, Number number) {
     Frame frame;
@@ -70,7 +120,7 @@ Frame prepare_frame(const Scene& scene, const Settings& settings, Isa isa, int t
         std::make_unique<float[]>(std::size_t{3} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     frame.image = {frame.pixels.get(), width, height, static_cast<std::ptrdiff_t>(3 * sizeof(float)) * width};
     frame.threads = threads;
-    frame.rotation = settings.rotation;
+    frame.samples = settings.samples, frame.rotation = settings.rotation;
     return frame;
 }
 
@@ -80,19 +130,15 @@ FrameCost render_frame(const Frame& frame, int repeat, bool progress) {
     Progress line(std::int64_t{repeat} * tile_count(frame.head()));
     for (int i = 0; i < repeat; ++i) {
         const Clock::time_point start = Clock::now();
-        cost.rays = render_once(frame, progress ? &line : nullptr);
+        render_once(frame, progress ? &line : nullptr, nullptr, cost);
         cost.seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
     }
     return cost;
 }
 
 void render_until(const Frame& frame, const std::atomic<bool>& stopped) {
-    const auto render_tile = [&](int tile, int) {
-        RayCounts unused;
-        if (stopped.load(std::memory_order_relaxed)) return;
-        frame.render_tile(tile, unused);
-    };
-    thread_tiles(tile_count(frame.head()), frame.threads, render_tile);
+    FrameCost unused;
+    render_once(frame, nullptr, &stopped, unused);
 }
 
 RayCounts& operator+=(RayCounts& sum, const RayCounts& more) {

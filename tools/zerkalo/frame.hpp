@@ -24,28 +24,31 @@ struct Frame {
     FixedTileFunction fixed_kernel = nullptr;
     DoubleTileFunction double_kernel = nullptr;
     int threads = 1;
-    std::int32_t rotation = 0;  // of its first pass
+    std::int32_t samples = 1, rotation = 0;  // of its first pass
 
     const PlanHead& head() const {
         if (plan) return *plan;
         if (fixed_plan) return *fixed_plan;
         return *double_plan;
     }
-    void render_tile(int tile, RayCounts& rays) const {
+    void render_tile(const Tile& tile, RayCounts& rays) const {
         if (plan) {
-            kernel(*plan, tile_at(*plan, tile), image, rays);
+            kernel(*plan, tile, image, rays);
         } else if (fixed_plan) {
-            fixed_kernel(*fixed_plan, tile_at(*fixed_plan, tile), image, rays);
+            fixed_kernel(*fixed_plan, tile, image, rays);
         } else {
-            double_kernel(*double_plan, tile_at(*double_plan, tile), image, rays);
+            double_kernel(*double_plan, tile, image, rays);
         }
     }
+    /// What the next tiles are rendered with: see begin_pass(). No tile may be in work.
+    void begin(const Pass& pass) const;
 };
 
 /// What rendering cost: seconds of all tiles, one entry a repetition, and the rays of one repetition.
 struct FrameCost {
     std::vector<double> seconds;
     RayCounts rays;
+    std::int64_t edge_pixels = 0;  // that got more camera rays
 };
 
 /// One thread's counts, alone on their cache lines.
@@ -58,7 +61,8 @@ struct alignas(128) ThreadCounts {
 Frame prepare_frame(const Scene& scene, const Settings& settings, Isa isa, int threads,
                     Number number = Number::floating);
 
-/// Renders the whole picture `repeat` times, with a progress line when `progress` is set.
+/// Renders the whole picture `repeat` times, with a progress line when `progress` is set. Where the settings ask for it
+/// pixels at edges get more camera rays.
 FrameCost render_frame(const Frame& frame, int repeat, bool progress);
 
 /// Renders the picture once, but leaves the tiles out that are begun after `stopped` was set.

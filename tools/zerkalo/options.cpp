@@ -1,5 +1,6 @@
 #include "tools/zerkalo/options.hpp"
 
+#include "core/render/edges.hpp"
 #include "tools/scene_file/suggestion.hpp"
 #include "tools/zerkalo/failure.hpp"
 #include "tools/zerkalo/messages.hpp"
@@ -103,10 +104,29 @@ void add_estimator_option(CLI::App& command, Estimator& estimator) {
         ->type_name("NAME");
 }
 
+// A number for all pixels, or "auto".
+void add_antialias_option(CLI::App& command, Settings& settings) {
+    const auto take = [&settings](const std::string& text) {
+        settings.edge_antialias = text == "auto" ? kEdgeAntialias : 0;
+        settings.antialias = text == "auto" ? 1 : std::stoi(text);
+    };
+    const CLI::Validator number = whole_number(1, kMaxAntialias);
+    const auto check = [number](std::string& text) -> std::string {
+        if (text == "auto") return "";
+        const std::string wrong = number(text);
+        return wrong.empty() ? "" : wrong + ", or auto";
+    };
+    command
+        .add_option_function<std::string>(
+            "--antialias", take, "Camera rays per pixel, or auto: 16 where a pixel differs from those beside it, else 1")
+        ->check(CLI::Validator(check, ""))
+        ->type_name("N");
+}
+
 void add_quality_options(CLI::App& command, Settings& settings) {
     add_whole_option(command, "--samples", settings.samples, 1, kMaxSamples,
                      "Lobe rays per hit of an unpolished mirror");
-    add_whole_option(command, "--antialias", settings.antialias, 1, kMaxAntialias, "Camera rays per pixel");
+    add_antialias_option(command, settings);
     add_whole_option(command, "--depth-limit", settings.depth_limit, 0, kMaxDepth,
                      "Reflections and refractions that a ray may have behind it");
     add_estimator_option(command, settings.estimator);

@@ -84,7 +84,11 @@ std::string json_report(const RenderOptions& options, const Frame& frame, const 
     json.text("isa", name_of(frame.isa)).integer("lanes", frame.lanes).text("number", name_of(options.number));
     json.integer("threads", frame.threads);
     if (!refined) json.integer("samples", options.settings.samples);
-    json.integer("antialias", options.settings.antialias).integer("depth_limit", options.settings.depth_limit);
+    json.integer("antialias", options.settings.antialias);
+    if (options.settings.edge_antialias > 0) {
+        json.integer("edge_antialias", options.settings.edge_antialias).integer("edge_pixels", cost.edge_pixels);
+    }
+    json.integer("depth_limit", options.settings.depth_limit);
     json.text("estimator", name_of(options.settings.estimator)).flag("exact_plan", options.settings.exact_plan);
     if (refined) add_refinement(json, options, *refined);
     json.object("rays", rays_json(cost.rays)).list("features", features_of(frame.head()));

@@ -67,7 +67,7 @@ void ZERKALO_STAGES(const Plan& plan, StageImages& out) {
         TileColumns<R> columns;
         fill_columns(columns, plan, tile, at);
         for (int first = 0; first < tile.height * kTileSide; first += kWidth<R>) {
-            const Mask<R> active = Mask<R>(lanes_inside<R>(tile, first));
+            const Mask<R> active = Mask<R>(lanes_of<R>(Tile(tile), first));
             const CameraRay<R> ray = camera_ray<R>(plan, columns, tile, first, at);
             const AnyHit<R> hit = nearest_anywhere<R>(
                 plan, everything, false, ray.o, ray.d, departure_of_camera<R>(plan.camera, ray.d), active, ray.t_min, close);
