@@ -14,6 +14,21 @@ concept InVectors = (IntLaneTraits<A>::kInVectors || ...);
 template <class T>
 struct FixedNumbersOf<VectorInts<T, kVectorWidth>> { using type = FixedNumbers<kVectorWidth, Vectors>; };
 
+/// A mask of vector registers as bits, which becomes one again where it is used.
+struct VectorMaskBits {
+    std::uint8_t bits;
+
+    VectorMaskBits() = default;
+    ZERKALO_INLINE VectorMaskBits(VectorMask m) : bits(static_cast<std::uint8_t>(bits_of(m))) {}
+    ZERKALO_INLINE operator VectorMask() const {
+        Words own{};
+        for (int k = 0; k < kVectorWidth; ++k) own[k] = 1 << k;
+        return VectorMask(Words((all_words(bits) & own) != 0));
+    }
+};
+template <>
+struct StoredMaskOf<FixedNumbers<kVectorWidth, Vectors>> { using type = VectorMaskBits; };
+
 /// The registers; of a plain integer, the same in all lanes.
 template <class A>
 ZERKALO_INLINE auto registers_of(const A& raw) {
