@@ -20,7 +20,7 @@ ZERKALO_INLINE UnitOf<R, R> unit_of(Vec3<R> v) {
 }
 
 /// All three components share one exponent, so that short vectors keep their digits.
-template <class Rep, int F>
+template <class Rep, Format F>
 ZERKALO_INLINE UnitOf<Direction<Fixed<Rep, F>>, Fixed<Rep, F>> unit_of(Vec3<Fixed<Rep, F>> v) {
     using T = LaneElement<Rep>;
     UnitOf<Direction<Fixed<Rep, F>>, Fixed<Rep, F>> result{};

@@ -9,10 +9,10 @@ namespace zerkalo::inline ZERKALO_ISA {
 
 // Of the three products of a sum two fit into 64 bits without being held; all three do where one vector is a direction,
 // whose components are at most 1 but for rounding, or a difference of two, times itself.
-template <class A, int FA, class B, int FB>
+template <class A, Format FA, class B, Format FB>
     requires SingleWord<A> && SingleWord<B> && InVectors<A, B>
 ZERKALO_INLINE auto dot(Vec3<Fixed<A, FA>> a, Vec3<Fixed<B, FB>> b) {
-    constexpr int kDirection = FixedFormats::Direction::kFraction;
+    constexpr Format kDirection = FixedFormats::Direction::kFormat;
     const Longs two = sum_of_products((a.x * b.x).raw.v, (a.y * b.y).raw.v);
     const Longs third = (a.z * b.z).raw.v;
     if constexpr (FA == kDirection || FB == kDirection) {
@@ -21,7 +21,7 @@ ZERKALO_INLINE auto dot(Vec3<Fixed<A, FA>> a, Vec3<Fixed<B, FB>> b) {
         return fixed_of<FA + FB>(held_sum(two, third));
     }
 }
-template <class A, int FA, class B, int FB>
+template <class A, Format FA, class B, Format FB>
     requires SingleWord<A> && SingleWord<B> && InVectors<A, B>
 ZERKALO_INLINE auto cross(Vec3<Fixed<A, FA>> a, Vec3<Fixed<B, FB>> b) {
     const auto x = fixed_of<FA + FB>(difference_of_products((a.y * b.z).raw.v, (a.z * b.y).raw.v));

@@ -156,24 +156,24 @@ ZERKALO_INLINE SineCosine<D> sincos_turn(P phase) {
 }
 
 /// 1 - u^s of u, s in 0..1: 1 - cos(theta) of a lobe's ray, without cancellation near u = 1.
-template <class A, int F, class B, int FS>
+template <class A, Format F, class B, Format FS>
 ZERKALO_INLINE auto one_minus_power(Fixed<A, F> u, Fixed<B, FS> s) {
-    static_assert(F == 60);
-    return with_fraction<60>(each_lane(
+    static_assert(F.fraction == 60);
+    return with_format<60>(each_lane(
         [](std::int64_t x, std::int64_t y) {
-            return one_minus_exp2_of(rescaled_wide_product<std::int64_t, FS>(minus_log2_of(x), y));
+            return one_minus_exp2_of(rescaled_wide_product<std::int64_t, FS.fraction>(minus_log2_of(x), y));
         },
         u.raw, s.raw));
 }
 
 /// (1 - x)^n for 0 <= x as in elementary.hpp. Error below 2^-27 and n 2^-57, the steps of 1 - x and of its logarithm.
-template <class A, class B, int FN>
+template <class A, class B, Format FN>
 ZERKALO_INLINE auto power_of_one_minus(Fixed<A, 61> x, Fixed<B, FN> n) {
-    return with_fraction<60>(each_lane(
+    return with_format<60>(each_lane(
         [](std::int64_t a, std::int64_t b) {
             const std::int64_t y = kOne60 - rescaled<std::int64_t, 1>(a);
             if (y <= 0) return std::int64_t{0};
-            return kOne60 - one_minus_exp2_of(rescaled_wide_product<std::int64_t, FN>(minus_log2_of(y), b));
+            return kOne60 - one_minus_exp2_of(rescaled_wide_product<std::int64_t, FN.fraction>(minus_log2_of(y), b));
         },
         x.raw, n.raw));
 }

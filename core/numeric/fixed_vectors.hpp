@@ -14,6 +14,21 @@ concept InVectors = (IntLaneTraits<A>::kInVectors || ...);
 template <class T>
 struct FixedNumbersOf<VectorInts<T, kVectorWidth>> { using type = FixedNumbers<kVectorWidth, Vectors>; };
 
+/// A mask of vector registers as bits, which becomes one again where it is used.
+struct VectorMaskBits {
+    std::uint8_t bits;
+
+    VectorMaskBits() = default;
+    ZERKALO_INLINE VectorMaskBits(VectorMask m) : bits(static_cast<std::uint8_t>(bits_of(m))) {}
+    ZERKALO_INLINE operator VectorMask() const {
+        Words own{};
+        for (int k = 0; k < kVectorWidth; ++k) own[k] = 1 << k;
+        return VectorMask(Words((all_words(bits) & own) != 0));
+    }
+};
+template <>
+struct StoredMaskOf<FixedNumbers<kVectorWidth, Vectors>> { using type = VectorMaskBits; };
+
 /// The registers; of a plain integer, the same in all lanes.
 template <class A>
 ZERKALO_INLINE auto registers_of(const A& raw) {
@@ -25,42 +40,42 @@ ZERKALO_INLINE auto registers_of(const A& raw) {
         return all_longs(raw);
     }
 }
-template <int F>
-ZERKALO_INLINE auto fixed_of(Words raw) { return with_fraction<F>(VectorWords(raw)); }
-template <int F>
-ZERKALO_INLINE auto fixed_of(const Longs& raw) { return with_fraction<F>(VectorLongs(raw)); }
+template <Format F>
+ZERKALO_INLINE auto fixed_of(Words raw) { return with_format<F>(VectorWords(raw)); }
+template <Format F>
+ZERKALO_INLINE auto fixed_of(const Longs& raw) { return with_format<F>(VectorLongs(raw)); }
 
-template <class A, class B, int F>
+template <class A, class B, Format F>
     requires SameElement<A, B> && InVectors<A, B>
 ZERKALO_INLINE auto operator+(Fixed<A, F> a, Fixed<B, F> b) {
     return fixed_of<F>(held_sum(registers_of(a.raw), registers_of(b.raw)));
 }
-template <class A, class B, int F>
+template <class A, class B, Format F>
     requires SameElement<A, B> && InVectors<A, B>
 ZERKALO_INLINE auto operator-(Fixed<A, F> a, Fixed<B, F> b) {
     return fixed_of<F>(held_difference(registers_of(a.raw), registers_of(b.raw)));
 }
-template <class A, int F>
+template <class A, Format F>
     requires InVectors<A>
 ZERKALO_INLINE auto operator-(Fixed<A, F> a) {
     return fixed_of<F>(negative(a.raw.v));
 }
-template <class A, int FA, class B, int FB>
+template <class A, Format FA, class B, Format FB>
     requires SingleWord<A> && SingleWord<B> && SameWidth<A, B> && InVectors<A, B>
 ZERKALO_INLINE auto operator*(Fixed<A, FA> a, Fixed<B, FB> b) {
     return fixed_of<FA + FB>(full_product(registers_of(a.raw), registers_of(b.raw)));
 }
-template <class A, class B, int F>
+template <class A, class B, Format F>
     requires SameElement<A, B> && InVectors<A, B>
 ZERKALO_INLINE VectorMask operator<(Fixed<A, F> a, Fixed<B, F> b) {
     return VectorMask(is_less(registers_of(a.raw), registers_of(b.raw)));
 }
-template <class A, class B, int F>
+template <class A, class B, Format F>
     requires SameElement<A, B> && InVectors<A, B>
 ZERKALO_INLINE VectorMask operator==(Fixed<A, F> a, Fixed<B, F> b) {
     return VectorMask(is_equal(registers_of(a.raw), registers_of(b.raw)));
 }
-template <class A, class B, int F>
+template <class A, class B, Format F>
     requires SameElement<A, B> && InVectors<A, B>
 ZERKALO_INLINE VectorMask operator!=(Fixed<A, F> a, Fixed<B, F> b) {
     return !(a == b);
@@ -69,114 +84,114 @@ ZERKALO_INLINE VectorMask operator!=(Fixed<A, F> a, Fixed<B, F> b) {
 ZERKALO_INLINE VectorMask select(VectorMask m, VectorMask a, VectorMask b) {
     return VectorMask(chosen(m.v, a.v, b.v));
 }
-template <class A, class B, int F>
+template <class A, class B, Format F>
     requires SameElement<A, B>
 ZERKALO_INLINE auto select(VectorMask m, Fixed<A, F> a, Fixed<B, F> b) {
     return fixed_of<F>(chosen(m.v, registers_of(a.raw), registers_of(b.raw)));
 }
-template <class A, int F>
+template <class A, Format F>
     requires InVectors<A> && SingleWord<A>
 ZERKALO_INLINE auto min(Fixed<A, F> a, Fixed<A, F> b) {
     return fixed_of<F>(a.raw.v < b.raw.v ? a.raw.v : b.raw.v);
 }
-template <class A, int F>
+template <class A, Format F>
     requires InVectors<A> && SingleWord<A>
 ZERKALO_INLINE auto max(Fixed<A, F> a, Fixed<A, F> b) {
     return fixed_of<F>(a.raw.v > b.raw.v ? a.raw.v : b.raw.v);
 }
-template <class A, int F>
+template <class A, Format F>
     requires InVectors<A> && SingleWord<A>
 ZERKALO_INLINE Fixed<A, F> flip_sign(Fixed<A, F> a, Fixed<A, F> sign) {
     const Words s = sign_of(sign.raw.v);
     return fixed_of<F>((a.raw.v ^ s) - s);
 }
 
-template <class To, class A, int F>
+template <class To, class A, Format F>
     requires InVectors<A>
 ZERKALO_INLINE To as(Fixed<A, F> value) {
-    constexpr int kShift = F - To::kFraction;
+    constexpr int kShift = F.fraction - To::kFraction;
     constexpr bool kToWords = std::same_as<typename To::Element, std::int32_t>;
-    if constexpr (std::same_as<To, Fixed<A, F>>) {
-        return value;
+    if constexpr (std::same_as<typename To::Element, LaneElement<A>> && kShift == 0) {
+        return with_format<To::kFormat>(value.raw);
     } else if constexpr (SingleWord<A> && kToWords) {
-        return fixed_of<To::kFraction>(rescaled_words<kShift>(value.raw.v));
+        return fixed_of<To::kFormat>(rescaled_words<kShift>(value.raw.v));
     } else if constexpr (kToWords) {
         static_assert(kShift > 0);
-        return fixed_of<To::kFraction>(rescaled_words<kShift>(value.raw.v));
+        return fixed_of<To::kFormat>(rescaled_words<kShift>(value.raw.v));
     } else if constexpr (SingleWord<A> && kShift <= 0 && kShift >= -32) {
-        return fixed_of<To::kFraction>(raised_longs<-kShift>(value.raw.v));
+        return fixed_of<To::kFormat>(raised_longs<-kShift>(value.raw.v));
     } else if constexpr (!SingleWord<A> && kShift > 1) {
-        return fixed_of<To::kFraction>(rescaled_longs<kShift>(value.raw.v));
+        return fixed_of<To::kFormat>(rescaled_longs<kShift>(value.raw.v));
     } else {
         using T = typename To::Element;
-        return with_fraction<To::kFraction>(
+        return with_format<To::kFormat>(
             each_lane([](std::int64_t x) { return rescaled<T, kShift>(x); }, value.raw));
     }
 }
 
 /// A word times 64 bits, rounded once.
-template <class To, class A, int FA, class B, int FB>
+template <class To, class A, Format FA, class B, Format FB>
     requires InVectors<A, B> && SingleWord<A> && (!SingleWord<B>) &&
-             ((SingleWord<typename To::Representation> && FA + FB - To::kFraction > 32) ||
-              (!SingleWord<typename To::Representation> && FA + FB - To::kFraction <= 32))
+             ((SingleWord<typename To::Representation> && (FA + FB).fraction - To::kFraction > 32) ||
+              (!SingleWord<typename To::Representation> && (FA + FB).fraction - To::kFraction <= 32))
 ZERKALO_INLINE To product(Fixed<A, FA> a, Fixed<B, FB> b) {
-    constexpr int kShift = FA + FB - To::kFraction;
+    constexpr int kShift = (FA + FB).fraction - To::kFraction;
     if constexpr (SingleWord<typename To::Representation>) {
-        return fixed_of<To::kFraction>(rescaled_product_words<kShift>(registers_of(a.raw), registers_of(b.raw)));
+        return fixed_of<To::kFormat>(rescaled_product_words<kShift>(registers_of(a.raw), registers_of(b.raw)));
     } else {
-        return fixed_of<To::kFraction>(rescaled_product_longs<kShift>(registers_of(a.raw), registers_of(b.raw)));
+        return fixed_of<To::kFormat>(rescaled_product_longs<kShift>(registers_of(a.raw), registers_of(b.raw)));
     }
 }
 
 /// 64 bits times 64 bits, rounded once; neither is negative.
-template <class To, class A, int FA, class B, int FB>
+template <class To, class A, Format FA, class B, Format FB>
     requires InVectors<A, B> && (!SingleWord<A>) && (!SingleWord<B>) && (!SingleWord<typename To::Representation>) &&
-             (FA + FB - To::kFraction > 0 && FA + FB - To::kFraction < 64)
+             ((FA + FB).fraction - To::kFraction > 0 && (FA + FB).fraction - To::kFraction < 64)
 ZERKALO_INLINE To share_product(Fixed<A, FA> a, Fixed<B, FB> b) {
-    return fixed_of<To::kFraction>(
-        rescaled_wide_product<FA + FB - To::kFraction>(registers_of(a.raw), registers_of(b.raw)));
+    return fixed_of<To::kFormat>(
+        rescaled_wide_product<(FA + FB).fraction - To::kFraction>(registers_of(a.raw), registers_of(b.raw)));
 }
 
 /// As a word, of 64 bits by 64 bits.
-template <class To, class A, int FA, class B, int FB>
+template <class To, class A, Format FA, class B, Format FB>
     requires InVectors<A, B> && (!SingleWord<A>) && (!SingleWord<B>) && SingleWord<typename To::Representation> &&
-             (Fixed<A, FA>::kValueBits + To::kFraction - FA + FB > 63)
+             (Fixed<A, FA>::kValueBits + To::kFraction - FA.fraction + FB.fraction > 63)
 ZERKALO_INLINE To quotient(Fixed<A, FA> a, Fixed<B, FB> b) {
-    constexpr int kShift = To::kFraction - FA + FB;
-    return with_fraction<To::kFraction>(
+    constexpr int kShift = To::kFraction - FA.fraction + FB.fraction;
+    return with_format<To::kFormat>(
         long_quotient_words<kShift>(VectorLongs(registers_of(a.raw)), VectorLongs(registers_of(b.raw))));
 }
 
 /// A word as the quotient by a word.
-template <class To, class A, int FA, class B, int FB>
+template <class To, class A, Format FA, class B, Format FB>
     requires InVectors<A, B> && SingleWord<B> && SingleWord<typename To::Representation> &&
-             (Fixed<A, FA>::kValueBits + To::kFraction - FA + FB <= 63)
+             (Fixed<A, FA>::kValueBits + To::kFraction - FA.fraction + FB.fraction <= 63)
 ZERKALO_INLINE To quotient(Fixed<A, FA> a, Fixed<B, FB> b) {
-    constexpr int kShift = To::kFraction - FA + FB;
+    constexpr int kShift = To::kFraction - FA.fraction + FB.fraction;
     if constexpr (SingleWord<A>) {
-        return fixed_of<To::kFraction>(
+        return fixed_of<To::kFormat>(
             rounded_quotient<kShift>(registers_of(a.raw), registers_of(b.raw)));
     } else {
         static_assert(kShift == 0);
-        return fixed_of<To::kFraction>(rounded_quotient(registers_of(a.raw), registers_of(b.raw)));
+        return fixed_of<To::kFormat>(rounded_quotient(registers_of(a.raw), registers_of(b.raw)));
     }
 }
 
-template <class To, class A, int F>
+template <class To, class A, Format F>
     requires InVectors<A> && SingleWord<typename To::Representation>
 ZERKALO_INLINE To root(Fixed<A, F> a) {
-    static_assert(F == 2 * To::kFraction, "a root has half the fraction bits");
-    return fixed_of<To::kFraction>(nearest_root(a.raw.v));
+    static_assert(F.fraction == 2 * To::kFraction, "a root has half the fraction bits");
+    return fixed_of<To::kFormat>(nearest_root(a.raw.v));
 }
 
-template <class A, class B, int F>
+template <class A, class B, Format F>
     requires InVectors<A>
 ZERKALO_INLINE VectorMask ahead_of(Fixed<B, F> t_min, Fixed<A, F> t, Fixed<A, F> along) {
     const Words root = along.raw.v;
     return (t > t_min) & VectorMask(Words((t.raw.v < kMostWord) & (root < kMostWord) & (root > -kMostWord)));
 }
 
-template <class A, int F>
+template <class A, Format F>
     requires InVectors<A> && (!SingleWord<A>)
 ZERKALO_INLINE Fixed<A, F> plus_where(VectorMask mask, Fixed<A, F> a, Fixed<A, F> b) {
     return fixed_of<F>(each_part(
@@ -187,7 +202,7 @@ ZERKALO_INLINE Fixed<A, F> plus_where(VectorMask mask, Fixed<A, F> a, Fixed<A, F
         a.raw.v, b.raw.v, wide_mask(mask.v)));
 }
 
-template <class A, int F>
+template <class A, Format F>
     requires InVectors<A> && SingleWord<A>
 ZERKALO_INLINE Fixed<A, F> times(Fixed<A, F> a, std::int32_t n) {
     return fixed_of<F>(a.raw.v * n);

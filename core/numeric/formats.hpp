@@ -62,16 +62,46 @@ ZERKALO_INLINE constexpr X in_all_lanes(LaneElement<X> uniform) {
 template <std::signed_integral T>
 constexpr T kLargest = std::numeric_limits<T>::max();
 
-/// A number that is an integer times 2^-FracBits: see fixed.hpp.
+/// What a number of fixed point measures. `unnamed`: what no other number has the bits of, and products and their sums.
+enum class Quantity : std::uint8_t {
+    unnamed,
+    length,
+    curvature,
+    ratio,
+    direction,
+    weight,
+    light,
+    share,
+    fraction,
+    view,
+    far_step
+};
+
+/// Fraction bits and quantity. Numbers mix where both agree.
+struct Format {
+    int fraction;
+    Quantity quantity;
+
+    ZERKALO_INLINE constexpr Format(int bits, Quantity of = Quantity::unnamed) : fraction(bits), quantity(of) {}
+    friend constexpr bool operator==(const Format&, const Format&) = default;
+};
+/// Of a product: the fractions add up; with light it is light.
+ZERKALO_INLINE constexpr Format operator+(Format a, Format b) {
+    const bool is_light = a.quantity == Quantity::light || b.quantity == Quantity::light;
+    return {a.fraction + b.fraction, is_light ? Quantity::light : Quantity::unnamed};
+}
+
+/// A number that is an integer times 2^-F.fraction: see fixed.hpp.
 /// Rep: std::int32_t, std::int64_t or lanes of them. The raw integers never hold the most negative value.
-template <class Rep, int FracBits>
+template <class Rep, Format F>
 struct Fixed {
     using Representation = Rep;
     using Element = LaneElement<Rep>;
-    static constexpr int kFraction = FracBits;
+    static constexpr Format kFormat = F;
+    static constexpr int kFraction = F.fraction;
     static constexpr int kValueBits = std::numeric_limits<Element>::digits;
     static_assert(std::same_as<Element, std::int32_t> || std::same_as<Element, std::int64_t>);
-    static_assert(FracBits >= 0 && FracBits < kValueBits);
+    static_assert(kFraction >= 0 && kFraction < kValueBits);
 
     Rep raw;
 
@@ -82,7 +112,7 @@ struct Fixed {
     /// A uniform number of the same format in all lanes.
     template <std::same_as<LaneElement<Rep>> U>
         requires(kLanesOf<Rep> > 1)
-    ZERKALO_INLINE constexpr Fixed(Fixed<U, FracBits> uniform) : raw(in_all_lanes<Rep>(uniform.raw)) {}
+    ZERKALO_INLINE constexpr Fixed(Fixed<U, F> uniform) : raw(in_all_lanes<Rep>(uniform.raw)) {}
 
     /// The number with this integer; the most negative integer stands for the one above it.
     static ZERKALO_INLINE constexpr Fixed from_raw(Rep raw) {
@@ -104,10 +134,10 @@ struct Fixed {
 
 private:
     static ZERKALO_INLINE constexpr Element raw_of(int whole) {
-        constexpr Element kMost = kLargest<Element> >> FracBits;
+        constexpr Element kMost = kLargest<Element> >> kFraction;
         if (whole > kMost) return kLargest<Element>;
         if (whole < -kMost) return -kLargest<Element>;
-        return checked_product<Element>(whole, Element{1} << FracBits, "a whole number");
+        return checked_product<Element>(whole, Element{1} << kFraction, "a whole number");
     }
 };
 
@@ -139,20 +169,22 @@ using DoubleFormats = FloatingFormats<double>;
 struct FixedFormats {
     static constexpr bool kFixed = true;
     static constexpr double kLeastShare = 0x1p-24;  // as of float
-    using Length = Fixed<std::int32_t, 27>;     // -16..16, step 7.5e-9
-    using Direction = Fixed<std::int32_t, 30>;  // -2..2, step 9.3e-10
-    using Area = Fixed<std::int64_t, 54>;       // -512..512: a length times a length
-    using Curvature = Fixed<std::int32_t, 27>;
-    using Inverse = Fixed<std::int64_t, 36>;    // 1 / length, to 1.3e8
-    using Ratio = Fixed<std::int32_t, 27>;      // of refractive indices, slopes
+    template <int bits, Quantity quantity>
+    using Word = Fixed<std::int32_t, Format{bits, quantity}>;
+    using Length = Word<27, Quantity::length>;        // -16..16, step 7.5e-9
+    using Direction = Word<30, Quantity::direction>;  // -2..2, step 9.3e-10
+    using Area = Fixed<std::int64_t, 54>;             // -512..512: a length times a length
+    using Curvature = Word<27, Quantity::curvature>;
+    using Inverse = Fixed<std::int64_t, 36>;          // 1 / length, to 1.3e8
+    using Ratio = Word<27, Quantity::ratio>;          // of refractive indices, slopes
     using Index = Fixed<std::int32_t, 0>;
-    using Weight = Direction;                   // shares of light: 1 is exact
-    using Radiance = Fixed<std::int32_t, 24>;   // to 128, step 6e-8
-    using Exponent = Fixed<std::int64_t, 24>;   // n of a cosine power, to 5e11
-    using Share = Fixed<std::int64_t, 61>;      // 1 / (n + 1)
-    using View = Fixed<std::int64_t, 60>;       // a camera ray before normalising
-    using FarStep = Fixed<std::int64_t, 54>;    // what a pixel moves a far camera's origin
-    using Edge = Direction;                     // of an outline, as unit vectors
+    using Weight = Word<30, Quantity::weight>;        // shares of light: 1 is exact
+    using Radiance = Word<24, Quantity::light>;       // to 128, step 6e-8
+    using Exponent = Fixed<std::int64_t, 24>;         // n of a cosine power, to 5e11
+    using Share = Fixed<std::int64_t, Format{61, Quantity::share}>;   // 1 / (n + 1)
+    using View = Fixed<std::int64_t, Format{60, Quantity::view}>;     // a camera ray before normalising
+    using FarStep = Fixed<std::int64_t, Format{54, Quantity::far_step}>;  // what a pixel moves a far camera's origin
+    using Edge = Direction;                           // of an outline, as unit vectors
     using PixelBound = std::int32_t;
 };
 

@@ -71,6 +71,12 @@ struct NumbersOf<Lanes<W>> { using type = Lanes<W>; };
 template <class T>
 using Numbers = typename NumbersOf<T>::type;
 
+/// A mask in memory: smaller than in registers where a form for that exists.
+template <class R>
+struct StoredMaskOf { using type = Mask<R>; };
+template <class R>
+using StoredMask = typename StoredMaskOf<R>::type;
+
 template <class N>
 using Formats = typename System<N>::Formats;
 template <class N>

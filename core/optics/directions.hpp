@@ -13,8 +13,8 @@ ZERKALO_INLINE Vec3<D> reflect(Vec3<D> d, Vec3<D> n) {
 }
 
 /// The same for a direction l that points away from the surface (towards the light): 2 n (n.l) - l.
-template <class D>
-ZERKALO_INLINE Vec3<D> mirror_direction(Vec3<D> l, Vec3<D> n, D n_dot_l) {
+template <class D, class W>
+ZERKALO_INLINE Vec3<D> mirror_direction(Vec3<D> l, Vec3<D> n, W n_dot_l) {
     return as<D>(n * (n_dot_l + n_dot_l)) - l;
 }
 
@@ -44,7 +44,7 @@ template <class R>
 ZERKALO_INLINE Vec3<R> unit_again(Vec3<R> d) {
     return d * (R(1.5f) - R(0.5f) * dot(d, d));
 }
-template <class A, int F>
+template <class A, Format F>
 ZERKALO_INLINE Vec3<Fixed<A, F>> unit_again(Vec3<Fixed<A, F>> d) {
     return unit_of(d).unit;
 }

@@ -42,9 +42,10 @@ ZERKALO_INLINE Reflectance<R> fresnel_reflectance(Vec3<R> d, Vec3<R> n, R eta) {
 
 /// In fixed point by the forms on the left: their differences are exact, and what is lost of the quotients is a step of
 /// the format, wherever they stand. Equations that say nothing reflect all.
-template <class A, int F, class E>
-ZERKALO_INLINE Reflectance<Fixed<A, F>> fresnel_reflectance(Vec3<Fixed<A, F>> d, Vec3<Fixed<A, F>> n, E eta) {
+template <class A, Format F, class E>
+ZERKALO_INLINE auto fresnel_reflectance(Vec3<Fixed<A, F>> d, Vec3<Fixed<A, F>> n, E eta) {
     using D = Fixed<A, F>;
+    using W = Weight<D>;
     const Vec3<D> perpendicular = as<D>(cross(d, n));
     const D eta_sine = as<D>(eta * root<D>(dot(perpendicular, perpendicular)));
     const auto behind2 = (D(1) - eta_sine) * (D(1) + eta_sine);
@@ -52,10 +53,10 @@ ZERKALO_INLINE Reflectance<Fixed<A, F>> fresnel_reflectance(Vec3<Fixed<A, F>> d,
     const D before = max(-as<D>(dot(d, n)), D(0)), behind = root<D>(max(behind2, decltype(behind2)(0)));
     const auto share = [total](E first, E second) ZERKALO_INLINE_LAMBDA {
         const E sum = first + second;
-        const D amplitude = as<D>(quotient<E>(first - second, sum));
-        return select(total | (sum <= E(0)), D(1), min(as<D>(amplitude * amplitude), D(1)));
+        const W amplitude = as<W>(quotient<E>(first - second, sum));
+        return select(total | (sum <= E(0)), W(1), min(as<W>(amplitude * amplitude), W(1)));
     };
-    return {share(as<E>(eta * before), as<E>(behind)), share(as<E>(before), as<E>(eta * behind))};
+    return Reflectance<W>{share(as<E>(eta * before), as<E>(behind)), share(as<E>(before), as<E>(eta * behind))};
 }
 
 /// Of light without a direction of its own: half of it swings each way.

@@ -48,10 +48,10 @@ ZERKALO_INLINE D smith_root(D cosine, D alpha) {
 
 /// G2 / G1 of rays above the horizon: between 0 and 1.
 template <class D>
-ZERKALO_INLINE D ggx_weight(D cosine, D cosine_out, D alpha) {
+ZERKALO_INLINE Weight<D> ggx_weight(D cosine, D cosine_out, D alpha) {
     const D root_in = smith_root(cosine, alpha), root_out = smith_root(cosine_out, alpha);
     const Square<D> all = root_out * cosine + root_in * cosine_out;
-    return min(quotient<D>((cosine_out + root_out) * cosine, all), D(1));
+    return min(quotient<Weight<D>>((cosine_out + root_out) * cosine, all), Weight<D>(1));
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

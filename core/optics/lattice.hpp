@@ -108,7 +108,7 @@ ZERKALO_INLINE B phase_in_part(const LatticePart& part, B index) {
 template <class R>
 ZERKALO_INLINE Fraction<R> fraction_of_bits(Bits<R> bits) {
     if constexpr (Formats<R>::kFixed) {
-        return with_fraction<60>(each_lane(
+        return with_format<Fraction<R>::kFormat>(each_lane(
             [](std::uint32_t b) { return static_cast<std::int64_t>((std::uint64_t{b >> 9} * 2 + 1) << 36); }, bits));
     } else if constexpr (std::same_as<R, double>) {
         return (double(bits >> 9) + 0.5) * 0x1p-23;
@@ -163,7 +163,7 @@ template <class R>
 struct LobePolar {
     Direction<R> radius, forward;
 };
-template <class A, int F, class B, int FS>
+template <class A, Format F, class B, Format FS>
 ZERKALO_INLINE auto lobe_polar(Fixed<A, F> u, Fixed<B, FS> inverse_exponent) {
     using Part = decltype(one_minus_power(u, inverse_exponent));
     using N = Numbers<Part>;
@@ -182,7 +182,7 @@ ZERKALO_INLINE auto at_azimuth(const LobePolar<R>& polar, P turn) {
 }
 
 /// The same in fixed point.
-template <class A, int F, class P, class B, int FS>
+template <class A, Format F, class P, class B, Format FS>
 ZERKALO_INLINE auto lobe_point(Fixed<A, F> u, P turn, Fixed<B, FS> inverse_exponent) {
     return at_azimuth(lobe_polar(u, inverse_exponent), turn);
 }

@@ -88,7 +88,7 @@ ZERKALO_INLINE SetPoint<R> jittered_point(Bits<R> index, std::int32_t count, con
             const std::int64_t at = static_cast<std::int64_t>(i) - start_of(i);
             return static_cast<std::uint32_t>(((at << 32) + ((b & ~511u) + kMiddle)) / cells_at(i)) ^ 0x80000000u;
         };
-        return {with_fraction<60>(each_lane(share, index, one)), each_lane(turn, index, two)};
+        return {with_format<Fraction<R>::kFormat>(each_lane(share, index, one)), each_lane(turn, index, two)};
     } else {
         constexpr auto kWhole = kToWhole<UniformReal<R>>;
         // Exact for index < 2^23: the low bits of a float in [2^23, 2^24).

@@ -37,7 +37,7 @@ template <class R>
 ZERKALO_INLINE R inverse_square(R distance) {
     return R(1) / (distance * distance);
 }
-template <class A, int F>
+template <class A, Format F>
 ZERKALO_INLINE auto inverse_square(Fixed<A, F> distance) {
     return reciprocal<Inverse<Fixed<A, F>>>(distance * distance);
 }

@@ -31,6 +31,8 @@ public:
     Vec3<T> point(const Point& p) const { return rounded(seen(p)); }
     Vec3<T> way(const Point& p) const { return rounded(p); }
     Vec3<T> direction(const Point& p) const { return rounded(p); }
+    /// Of a direction, or what one is multiplied with.
+    T component(double x) const { return T(x); }
     T share(double x) const { return T(x); }
     T area(double x) const { return T(x); }
     T inverse(double x) const { return held(x); }
@@ -83,6 +85,7 @@ public:
     Vec3<F::Length> point(const Point& p) const { return each<F::Length>(seen(p) * scale_); }
     Vec3<F::Length> way(const Point& p) const { return each<F::Length>(p * scale_); }
     Vec3<F::Direction> direction(const Point& p) const { return each<F::Direction>(p); }
+    F::Direction component(double x) const { return nearest<F::Direction>(x); }
     F::Share share(double x) const { return nearest<F::Share>(x); }
     F::Area area(double x) const { return nearest<F::Area>(x * scale_ * scale_); }
     F::Inverse inverse(double x) const { return nearest<F::Inverse>(x / scale_); }
@@ -112,8 +115,8 @@ public:
         return Point{length_of(p.x), length_of(p.y), length_of(p.z)} + origin_;
     }
     Point direction_of(const Vec3<F::Direction>& p) const { return {number_of(p.x), number_of(p.y), number_of(p.z)}; }
-    template <class T, int bits>
-    double number_of(Fixed<T, bits> x) const { return double(x.raw) / double(std::int64_t{1} << bits); }
+    template <class T, Format format>
+    double number_of(Fixed<T, format> x) const { return double(x.raw) / double(std::int64_t{1} << format.fraction); }
 
 private:
     /// To nearest, ties away from zero, held at the ends of the format.

@@ -24,7 +24,7 @@ LobeDataOf<F> lobe_of(const Mirror& mirror, const Constants<F>& to) {
     lobe.ggx = mirror.lobe == Lobe::ggx;
     if (!lobe.glossy) return lobe;
     lobe.inverse_exponent = to.share(1 / (mirror.lobe_exponent + 1));
-    lobe.alpha = to.weight(1 / square_root(2 * mirror.lobe_exponent + 1));
+    lobe.alpha = to.component(1 / square_root(2 * mirror.lobe_exponent + 1));
     return lobe;
 }
 

@@ -111,7 +111,7 @@ TubeDataOf<F> tube_of(const Solid& solid, const Placement& at, const Constants<F
     tube.mid_radius = to.length((solid.radius + top_radius(solid)) / 2);
     tube.slope = to.ratio(slope);
     tube.half_height = to.length(solid.height / 2);
-    tube.normal_scale = to.direction({1 / length({1, slope, 0}), 0, 0}).x;
+    tube.normal_scale = to.component(1 / length({1, slope, 0}));
     tube.tapered = tube.slope != typename F::Ratio(0);
     if constexpr (F::kFixed) {
         const double widest = solid.radius > top_radius(solid) ? solid.radius : top_radius(solid);

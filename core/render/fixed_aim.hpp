@@ -89,7 +89,7 @@ template <class R>
 ZERKALO_INLINE Area<Uniform<R>> largest_lane_of(const Area<R>& x) {
     auto most = lane_of(x.raw, 0);
     for (int k = 1; k < kWidth<R>; ++k) most = lane_of(x.raw, k) > most ? lane_of(x.raw, k) : most;
-    return with_fraction<Area<R>::kFraction>(most);
+    return with_format<Area<R>::kFormat>(most);
 }
 
 /// The first pixel's point and frame, and how far the other frames turn away from it (Frobenius norm).
@@ -107,7 +107,7 @@ constexpr int kManySteps = 1 << 11;  // and of points as far away as the scene i
 
 template <class L>
 ZERKALO_INLINE auto first_lane_of(const Vec3<L>& v) {
-    using One = Fixed<typename L::Element, L::kFraction>;
+    using One = Fixed<typename L::Element, L::kFormat>;
     return Vec3<One>{One::from_raw(lane_of(v.x.raw, 0)), One::from_raw(lane_of(v.y.raw, 0)),
                      One::from_raw(lane_of(v.z.raw, 0))};
 }

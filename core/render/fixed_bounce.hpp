@@ -57,6 +57,23 @@ ZERKALO_INLINE Rgb<LightSum<R>> camera_light(const PlanFor<R>& plan, const TileV
     return sum;
 }
 
+/// The same of a tile's camera sample a. Called, not inlined: what it has on the stack is gone when the lobes are traced.
+template <class R>
+ZERKALO_ONCE void trace_camera_rays(const PlanFor<R>& plan, const TileView& view, const Tile& tile, std::int32_t a,
+                                    LightSums& sums, WaitingLobes& waiting, TileCounts& counts) {
+    const auto at = sub_pixel<Uniform<R>>(a, plan.antialias);
+    TileColumns<R> columns;
+    fill_columns(columns, plan, tile, at);
+    waiting.pixels = 0;
+    waiting.candidates = 0;
+    for (int first = 0; first < tile.height * kTileSide; first += kWidth<R>) {
+        const auto active = lanes_of<R>(tile, first);
+        if (none(active)) continue;
+        const CameraRay<R> camera = camera_ray<R>(plan, columns, tile, first, at);
+        store_sum<R>(sums, first, camera_light<R>(plan, view, camera, active, first, waiting, counts));
+    }
+}
+
 /// Renders one tile. Precondition: plan.features without kNeedsGeneral.
 template <class R>
 ZERKALO_ONCE void render_tile_one_bounce_fixed(const PlanFor<R>& plan, const Tile& tile, const LinearImage& image,
@@ -69,17 +86,7 @@ ZERKALO_ONCE void render_tile_one_bounce_fixed(const PlanFor<R>& plan, const Til
     WaitingLobes waiting;
     TileCounts tile_counts;
     for (std::int32_t a = 0; a < plan.antialias; ++a) {
-        const auto at = sub_pixel<Uniform<R>>(a, plan.antialias);
-        TileColumns<R> columns;
-        fill_columns(columns, plan, tile, at);
-        waiting.pixels = 0;
-        waiting.candidates = 0;
-        for (int first = 0; first < tile.height * kTileSide; first += kWidth<R>) {
-            const auto active = lanes_of<R>(tile, first);
-            if (none(active)) continue;
-            const CameraRay<R> camera = camera_ray<R>(plan, columns, tile, first, at);
-            store_sum<R>(sums, first, camera_light<R>(plan, view, camera, active, first, waiting, tile_counts));
-        }
+        trace_camera_rays<R>(plan, view, tile, a, sums, waiting, tile_counts);
         if (waiting.pixels != 0) {
             trace_lobes<R>(plan, waiting, tile_hash(plan, tile), static_cast<std::uint32_t>(a), sums, tile_counts);
         }

@@ -20,14 +20,14 @@ struct TileColoursOf<FixedNumbers<W, I>> { using type = FixedColours; };
 template <class R>
 using TileColoursFor = typename TileColoursOf<R>::type;
 
-template <class A, int F>
+template <class A, Format F>
 ZERKALO_INLINE void put_channel(std::int64_t* pixels, Fixed<A, F> c, bool add) {
     for (int k = 0; k < kLanesOf<A>; ++k) {
-        const auto one = as<PixelSum>(with_fraction<F>(lane_of(c.raw, k)));
-        pixels[k] = add ? (one + with_fraction<PixelSum::kFraction>(pixels[k])).raw : one.raw;
+        const auto one = as<PixelSum>(with_format<F>(lane_of(c.raw, k)));
+        pixels[k] = add ? (one + with_format<PixelSum::kFormat>(pixels[k])).raw : one.raw;
     }
 }
-template <class A, int F>
+template <class A, Format F>
 ZERKALO_INLINE void put(FixedColours& colours, int first, Rgb<Fixed<A, F>> c, bool add) {
     put_channel(colours.r + first, c.r, add);
     put_channel(colours.g + first, c.g, add);
@@ -35,10 +35,10 @@ ZERKALO_INLINE void put(FixedColours& colours, int first, Rgb<Fixed<A, F>> c, bo
 }
 
 #if defined(ZERKALO_INT_VECTORS)
-template <class A, int F>
+template <class A, Format F>
     requires InVectors<A>
 ZERKALO_INLINE void put_channel(std::int64_t* pixels, Fixed<A, F> c, bool add) {
-    const Longs one = as<Fixed<A, PixelSum::kFraction>>(c).raw.v;
+    const Longs one = as<Fixed<A, PixelSum::kFormat>>(c).raw.v;
     store_lanes(pixels, add ? held_sum(one, load_lanes(pixels)) : one);
 }
 

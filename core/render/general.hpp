@@ -30,9 +30,10 @@ ZERKALO_INLINE void trace_one(const PlanFor<R>& plan, const TileView& view, cons
     const auto hits = ray.active & (hit.id >= Index<R>(0));
     add<R>(sum, ray.active & (!hits), ray.throughput, spread<Radiance<R>>(plan.background));
     if (none(hits)) return;
-    const PathPacket<R> fresh = no_continuation(plan, ray);
     const Vec3<Direction<R>> zero = {Direction<R>(0), Direction<R>(0), Direction<R>(0)};
-    Continuations<R> next{fresh, fresh, fresh,
+    // Each is made in place: one to copy would take a packet's room on the stack.
+    const auto fresh = [&]() ZERKALO_INLINE_LAMBDA { return no_continuation(plan, ray); };
+    Continuations<R> next{fresh(), fresh(), fresh(),
                           {zero, Share<R>(0), Direction<R>(0), mask_of<R>(false), mask_of<R>(false)}};
     next.job.is_job = true;
     next.job.sample = 0;

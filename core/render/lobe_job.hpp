@@ -138,7 +138,7 @@ template <class R>
 ZERKALO_INLINE Share<Uniform<R>> first_exponent(const LobeJob<R>& job, Mask<R> active) {
     int lane = 0;
     while (!(bits_of(active) >> lane & 1)) ++lane;
-    return with_fraction<Share<R>::kFraction>(lane_of(job.inverse_exponent.raw, lane));
+    return with_format<Share<R>::kFormat>(lane_of(job.inverse_exponent.raw, lane));
 }
 
 /// Where in the lobe ray s of a path goes.

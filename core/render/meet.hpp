@@ -129,7 +129,7 @@ constexpr auto kSquareRoom = Area<Uniform<R>>::from_raw(std::int64_t{1} << 35);
 /// The same in fixed point, where |f|^2 - (f.d)^2 keeps its digits. The origins are points, or one that all lanes share.
 template <class R, class A>
     requires(Formats<R>::kFixed)
-ZERKALO_INLINE Mask<R> may_meet(const SolidPlanFor<R>& solid, Vec3<Fixed<A, Length<R>::kFraction>> o,
+ZERKALO_INLINE Mask<R> may_meet(const SolidPlanFor<R>& solid, Vec3<Fixed<A, Length<R>::kFormat>> o,
                                 Vec3<Direction<R>> d, Mask<R> active) {
     const auto f = o - solid.bound_centre;
     const auto along = as<Length<R>>(dot(f, d));
@@ -143,7 +143,7 @@ ZERKALO_INLINE Vec3<R> turned_against(Vec3<R> n, Vec3<R> d) {
     const auto flip = opposite_sign(dot(n, d));
     return {from_bits(to_bits(n.x) ^ flip), from_bits(to_bits(n.y) ^ flip), from_bits(to_bits(n.z) ^ flip)};
 }
-template <class A, int F>
+template <class A, Format F>
 ZERKALO_INLINE Vec3<Fixed<A, F>> turned_against(Vec3<Fixed<A, F>> n, Vec3<Fixed<A, F>> d) {
     const auto along = dot(n, d);
     return select(along < decltype(along)(0), n, -n);

@@ -23,7 +23,7 @@ struct PathPacket {
     Vec3<Direction<R>> d;
     Rgb<Weight<R>> throughput;
     Departure<R> from;
-    Mask<R> active;
+    StoredMask<R> active;
     CandidateMask candidates;  // all that the rays can meet
     std::uint8_t aimed;        // some ray comes near each of them
     std::int32_t depth;

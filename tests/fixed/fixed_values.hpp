@@ -38,9 +38,9 @@ Vec3<F> nearest(const Exact3& v) {
 }
 
 /// The exact value.
-template <class Rep, int F>
+template <class Rep, Format F>
 Real80 real(Fixed<Rep, F> x) {
-    return std::ldexp(static_cast<Real80>(x.raw), -F);
+    return std::ldexp(static_cast<Real80>(x.raw), -F.fraction);
 }
 template <class F>
 Exact3 real(const Vec3<F>& v) {
@@ -48,7 +48,7 @@ Exact3 real(const Vec3<F>& v) {
 }
 
 /// W scalars as lanes of one number.
-template <int W, class T, int F>
+template <int W, class T, Format F>
 Fixed<Ints<T, W>, F> packed(const std::array<Fixed<T, F>, kGroup>& from, int first) {
     if constexpr (W == 1) {
         return from[static_cast<std::size_t>(first)];
@@ -71,7 +71,7 @@ auto packed(const std::array<Vec3<F>, kGroup>& from, int first) {
 }
 
 /// Lane k as a scalar.
-template <class Rep, int F>
+template <class Rep, Format F>
 Fixed<LaneElement<Rep>, F> lane(Fixed<Rep, F> x, int k) {
     return Fixed<LaneElement<Rep>, F>::from_raw(lane_of(x.raw, k));
 }

@@ -1,23 +1,11 @@
 // Which formats exist, what a product of them is, and what the compiler refuses.
 #include "tests/fixed/fixed_values.hpp"
+#include "tests/fixed/quantities.hpp"
 
 #include <type_traits>
 
 namespace zerkalo::test {
 namespace {
-
-template <class A, class B>
-concept Adds = requires(A a, B b) { a + b; };
-template <class A, class B>
-concept Subtracts = requires(A a, B b) { a - b; };
-template <class A, class B>
-concept Multiplies = requires(A a, B b) { a * b; };
-template <class A, class B>
-concept Compares = requires(A a, B b) { a < b; };
-template <class A, class B>
-concept TakesSmaller = requires(A a, B b) { min(a, b); };
-template <class A, class B>
-concept Divides = requires(A a, B b) { a / b; };
 
 template <class A, class B>
 constexpr bool kRefuses = !Adds<A, B> && !Subtracts<A, B> && !Compares<A, B> && !TakesSmaller<A, B> &&

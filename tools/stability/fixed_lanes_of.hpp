@@ -28,9 +28,9 @@ F nearest(double x) {
 inline double real(float x) { return double{x}; }
 
 /// A lane's value.
-template <class Rep, int FracBits>
-double real(const Fixed<Rep, FracBits>& x, int lane = 0) {
-    return std::ldexp(static_cast<double>(lane_of(x.raw, lane)), -FracBits);
+template <class Rep, Format F>
+double real(const Fixed<Rep, F>& x, int lane = 0) {
+    return std::ldexp(static_cast<double>(lane_of(x.raw, lane)), -F.fraction);
 }
 
 /// The first W of some raw integers as one number of the format F.
