@@ -5,18 +5,20 @@
 
 namespace zerkalo::laws {
 
-Passes::Passes(const Scene& scene, const Settings& settings, Isa isa)
-    : plan_(std::make_unique<Plan>()), rotation_(settings.rotation) {
+template <class AnyPlan>
+PassesOf<AnyPlan>::PassesOf(const Scene& scene, const Settings& settings, Isa isa)
+    : plan_(std::make_unique<AnyPlan>()), rotation_(settings.rotation) {
     prepare_or_throw(scene, settings, *plan_);
-    kernel_ = spread_kernel_for(*plan_, isa);
+    kernel_ = pass_kernel_for(*plan_, isa);
     const auto pixels = static_cast<std::size_t>(plan_->width) * static_cast<std::size_t>(plan_->height);
     picture_ = {plan_->width, plan_->height, std::vector<float>(3 * pixels), {}};
     variances_.resize(pixels);
     tiles_.resize(static_cast<std::size_t>(tile_count(*plan_)));
 }
 
+template <class AnyPlan>
 template <class Wanted>
-void Passes::run(const Pass& pass, const Wanted& wanted) {
+void PassesOf<AnyPlan>::run(const Pass& pass, const Wanted& wanted) {
     if (!begin_pass(*plan_, pass).ok()) throw std::runtime_error("a pass is refused");
     const int count = tile_count(*plan_);
     for (int i = 0; i < count; ++i) {
@@ -27,20 +29,29 @@ void Passes::run(const Pass& pass, const Wanted& wanted) {
     }
 }
 
-void Passes::resume(const Passes& other) {
+template <class AnyPlan>
+void PassesOf<AnyPlan>::resume(const PassesOf& other) {
     picture_ = other.picture_, variances_ = other.variances_;
     tiles_ = other.tiles_, rotation_ = other.rotation_;
 }
 
-const Image& Passes::single(std::int32_t samples) {
+template <class AnyPlan>
+const Image& PassesOf<AnyPlan>::single(std::int32_t samples) {
     tiles_.assign(tiles_.size(), {});
     run({samples, rotation_, true}, [](const TileProgress&) { return true; });
     return picture_;
 }
 
-void Passes::survey() { single(kFirstSamples); }
+template <class AnyPlan>
+void PassesOf<AnyPlan>::survey() {
+    single(kernel_.survey_samples());
+    for (int k = 1; k < kernel_.survey_passes(); ++k) {
+        run({kernel_.survey_samples(), ++rotation_}, [](const TileProgress& tile) { return tile.next > 0; });
+    }
+}
 
-void Passes::round() {
+template <class AnyPlan>
+void PassesOf<AnyPlan>::round() {
     ++rotation_;
     for (int step = 0; step < kLadderSteps; ++step) {
         const std::int32_t samples = samples_of_step(step);
@@ -48,11 +59,16 @@ void Passes::round() {
     }
 }
 
-double Passes::refine(double error) {
+template <class AnyPlan>
+double PassesOf<AnyPlan>::refine(double error) {
     survey();
     while (estimate() > error && plan(error)) round();
     return estimate();
 }
+
+template class PassesOf<Plan>;
+template class PassesOf<FixedPlan>;
+template class PassesOf<DoublePlan>;
 
 Image converged(const Scene& scene, const Settings& settings) {
     constexpr int kPlacements = 4;
