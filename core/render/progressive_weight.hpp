@@ -9,11 +9,12 @@ namespace zerkalo::inline ZERKALO_ISA {
 /// The variance of a pass falls as samples^-(gain / 8), measured over the shipped scenes (README.md). Where passes are
 /// all that tells the error, the few samples of the survey stand for the many that follow: there it is taken finer.
 inline int gain_of(const PlanHead& plan, bool told_by_passes) {
-    if (plan.sampling.estimator == Estimator::random) return 8;
+    const Estimator rule = plan.sampling.estimator;
+    if (rule == Estimator::random) return 8;
     if (!told_by_passes) return 12;
     // Rays between unpolished mirrors go on at random, one for each.
     if (plan.mirror_count > 1) return 10;
-    const int of_rule = is_keyed(plan.sampling.estimator) ? 11 : 12;
+    const int of_rule = rule == Estimator::jittered ? 10 : is_keyed(rule) ? 11 : 12;
     // Rays off normals that the viewer sees lie less evenly.
     return plan.features & kFeatureGgx ? of_rule - 1 : of_rule;
 }

@@ -1,7 +1,9 @@
 #include "tests/laws/passes.hpp"
 
 #include <cmath>
+#include <map>
 #include <stdexcept>
+#include <tuple>
 
 namespace zerkalo::laws {
 
@@ -43,11 +45,17 @@ const Image& PassesOf<AnyPlan>::single(std::int32_t samples) {
 }
 
 template <class AnyPlan>
-void PassesOf<AnyPlan>::survey() {
-    single(kernel_.survey_samples());
-    for (int k = 1; k < kernel_.survey_passes(); ++k) {
+void PassesOf<AnyPlan>::survey_pass(int number) {
+    if (number == 0) {
+        single(kernel_.survey_samples());
+    } else {
         run({kernel_.survey_samples(), ++rotation_}, [](const TileProgress& tile) { return tile.next > 0; });
     }
+}
+
+template <class AnyPlan>
+void PassesOf<AnyPlan>::survey() {
+    for (int k = 0; k < kernel_.survey_passes(); ++k) survey_pass(k);
 }
 
 template <class AnyPlan>
@@ -84,6 +92,29 @@ Image converged(const Scene& scene, const Settings& settings) {
     }
     for (std::size_t i = 0; i < sum.size(); ++i) image.rgb[i] = static_cast<float>(sum[i]);
     return image;
+}
+
+const std::vector<ShippedScene>& unpolished_scenes() {
+    static const std::vector<ShippedScene> scenes = [] {
+        const auto plan = std::make_unique<Plan>();
+        std::vector<ShippedScene> found;
+        for (const ShippedScene& shipped : shipped_scenes()) {
+            prepare_or_throw(shipped.scene, of_size(8, 8), *plan);
+            if (plan->features & kFeatureGlossy) found.push_back(shipped);
+        }
+        return found;
+    }();
+    return scenes;
+}
+
+const Image& limit_of(const std::string& scene, int width, int height) {
+    static std::map<std::tuple<std::string, int, int>, Image> limits;
+    const auto [place, fresh] = limits.try_emplace({scene, width, height});
+    if (!fresh) return place->second;
+    for (const ShippedScene& shipped : unpolished_scenes()) {
+        if (shipped.name == scene) place->second = converged(shipped.scene, of_size(width, height));
+    }
+    return place->second;
 }
 
 double distance(const Image& a, const Image& b) {

@@ -3,6 +3,7 @@
 
 #include "core/render/progressive.hpp"
 #include "tests/laws/rendering.hpp"
+#include "tests/laws/shipped.hpp"
 
 #include <memory>
 #include <vector>
@@ -25,6 +26,8 @@ public:
     const Image& single(std::int32_t samples);
 
     void survey();
+    /// Pass `number` of those that are the survey.
+    void survey_pass(int number);
     bool plan(double error) { return plan_round(*plan_, accumulator(), error); }
     void round();
 
@@ -58,6 +61,12 @@ using DoublePasses = PassesOf<DoublePlan>;
 
 /// The limit of many samples, by the same kernel: the mean of independent placements.
 Image converged(const Scene& scene, const Settings& settings);
+
+/// The shipped scenes with an unpolished mirror.
+const std::vector<ShippedScene>& unpolished_scenes();
+
+/// The limit of such a scene's picture of that size, computed once.
+const Image& limit_of(const std::string& scene, int width, int height);
 
 /// Root of the mean square of the differences over pixels and channels.
 double distance(const Image& a, const Image& b);
