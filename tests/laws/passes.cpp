@@ -81,7 +81,7 @@ template class PassesOf<DoublePlan>;
 Image converged(const Scene& scene, const Settings& settings) {
     constexpr int kPlacements = 4;
     Settings many = settings;
-    many.samples = 509;
+    many.samples = 508 / settings.antialias + 1;
     std::vector<double> sum;
     Image image;
     for (int k = 1; k <= kPlacements; ++k) {

@@ -92,6 +92,28 @@ TYPED_TEST(Replicas, TheEstimateIsWithinAFactorOfThreeHalvesInNineteenOfTwenty) 
     EXPECT_LE(off * 20, pictures) << off << " of " << pictures;
 }
 
+// Over all scenes and placements, the mean square of the estimates is that of the errors: also where the lobe rays of
+// a pixel's camera rays are one lattice, of which a rotation must leave nothing in its place.
+TYPED_TEST(Replicas, TheEstimateIsRightOnAverageWithSeveralCameraRays) {
+    constexpr int kPlacements = 6;
+    double logarithms = 0;
+    for (const auto& [name, scene] : unpolished_scenes()) {
+        Settings settings = of_size(kWidth, kHeight);
+        settings.antialias = 16;
+        const Image limit = converged(scene, settings);
+        settings.estimator = TypeParam::kRule;
+        double estimated = 0, truth = 0;
+        for (settings.rotation = 0; settings.rotation < kPlacements * kApart; settings.rotation += kApart) {
+            typename TypeParam::Work work(scene, settings);
+            work.survey();
+            estimated += std::pow(work.estimate(), 2);
+            truth += std::pow(distance(work.picture(), limit), 2);
+        }
+        logarithms += std::log(truth / estimated) / 2;
+    }
+    EXPECT_NEAR(logarithms / double(unpolished_scenes().size()), 0, std::log(1.2));
+}
+
 TYPED_TEST(Replicas, TheErrorThatIsAskedForIsReached) {
     constexpr double kError = 0.002, kNotQuite = 1.1;
     constexpr std::int32_t kPlacements = 8;
