@@ -41,6 +41,8 @@ constexpr LatticePart lattice_part(const Sampling& sampling, std::uint32_t a, st
     const auto parts = static_cast<std::uint64_t>(n);
     const std::uint64_t whole_turns = (parts * kPlasticTurn - kGoldenTurn + (1ull << 31)) >> 32;
     const auto step = static_cast<std::uint32_t>(((whole_turns << 32) + kGoldenTurn) / parts);
+    // Rotations also turn the parts round over the camera samples, or each would see its own piece of the shares alone.
+    a = static_cast<std::uint32_t>((a + (std::uint64_t{sampling.turn * kPlasticTurn} * parts >> 32)) % parts);
     const std::uint64_t place = std::uint64_t{a} * kShareSteps + static_cast<std::uint64_t>(sampling.place);
     return {static_cast<std::int32_t>(((place << kPlaceBits) / kShareSteps + parts / 2) / parts), a * step};
 }

@@ -8,37 +8,51 @@ namespace {
 constexpr float kStep = 0x1p-4f;  // of the square root of light
 
 /// |sqrt a - sqrt b| > kStep of values held in 0..1, without roots: of the larger one, a > b + 2 kStep sqrt b + kStep^2.
-bool far_apart(float a, float b) {
+/// Without branches, so that a row of values is compared in vector registers.
+std::uint32_t far_apart(float a, float b) {
     const float larger = a > b ? a : b, smaller = a > b ? b : a;
-    const float high = larger < 1 ? larger : 1, low = smaller < 0 ? 0 : smaller;
+    const float high = larger < 1 ? larger : 1.0f, low = smaller > 0 ? smaller : 0.0f;
     const float beyond = high - low - kStep * kStep;
-    return beyond > 0 && beyond * beyond > 4 * kStep * kStep * low;
+    const bool further = beyond * beyond > 4 * kStep * kStep * low;
+    return static_cast<std::uint32_t>(beyond > 0) & static_cast<std::uint32_t>(further);
 }
 
-bool differ(const float* a, const float* b) {
-    return far_apart(a[0], b[0]) || far_apart(a[1], b[1]) || far_apart(a[2], b[2]);
+constexpr int kMostPairs = kTileSide + 1;
+
+/// Bit i: pixel i of `a` and of `b` are far apart in some channel.
+std::uint32_t pairs_apart(const float* a, const float* b, int pixels) {
+    std::uint32_t apart[3 * kMostPairs], any = 0;
+    for (int i = 0; i < 3 * pixels; ++i) {
+        apart[i] = far_apart(a[i], b[i]);
+        any |= apart[i];
+    }
+    if (any == 0) return 0;
+    std::uint32_t bits = 0;
+    for (int i = 0; i < pixels; ++i) bits |= (apart[3 * i] | apart[3 * i + 1] | apart[3 * i + 2]) << i;
+    return bits;
 }
 
 }  // namespace
 
 std::uint64_t edge_pixels(const LinearImage& image, const Rect& tile) {
     const IeeeMode ieee;
-    const std::int32_t right = tile.left + tile.width, bottom = tile.top + tile.height;
+    const std::uint32_t inside = (1u << tile.width) - 1;
+    const int before = tile.left > 0 ? 1 : 0, after = tile.left + tile.width < image.width ? 1 : 0;
+    const std::int32_t below = tile.top + tile.height < image.height ? 1 : 0;
     std::uint64_t edges = 0;
-    const auto mark = [&](std::int32_t x, std::int32_t y) {
-        if (x < tile.left || x >= right || y < tile.top || y >= bottom) return;
-        edges |= std::uint64_t{1} << ((y - tile.top) * kTileSide + (x - tile.left));
-    };
-    // Each pair of neighbours is asked once, from its left or upper pixel, which may lie outside of the tile.
-    for (std::int32_t y = tile.top > 0 ? tile.top - 1 : 0; y < bottom; ++y) {
-        const float* row = image.row(y);
-        for (std::int32_t x = tile.left > 0 ? tile.left - 1 : 0; x < right; ++x) {
-            const float* pixel = row + 3 * x;
-            if (y >= tile.top && x + 1 < image.width && differ(pixel, pixel + 3)) mark(x, y), mark(x + 1, y);
-            if (x >= tile.left && y + 1 < image.height && differ(pixel, image.row(y + 1) + 3 * x)) {
-                mark(x, y), mark(x, y + 1);
-            }
+    std::uint32_t upwards = 0;  // pixels of a row that differ from the one above
+    for (std::int32_t y = tile.top > 0 ? -1 : 0; y < tile.height; ++y) {
+        const float* row = image.row(tile.top + y) + 3 * tile.left;
+        std::uint32_t of_row = upwards;
+        if (y >= 0) {
+            // Bit i: pixel i - before and the one on its right.
+            const float* first = row - 3 * before;
+            const std::uint32_t sideways = pairs_apart(first, first + 3, tile.width - 1 + before + after);
+            of_row |= sideways >> before | (before ? sideways : sideways << 1);
         }
+        const float* next = image.row(tile.top + y + 1) + 3 * tile.left;
+        upwards = y + 1 < tile.height + below ? pairs_apart(row, next, tile.width) : 0;
+        if (y >= 0) edges |= std::uint64_t{(of_row | upwards) & inside} << (y * kTileSide);
     }
     return edges;
 }

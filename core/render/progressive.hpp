@@ -1,11 +1,15 @@
 // A picture in passes: each makes it better, none is wasted, and after each the picture is whole and its error known.
 //
-//     begin_pass(plan, {kFirstSamples, rotation, true});                   // a survey of every tile
-//     for (every tile) add_pass(plan, kernel, tile, accumulator, counts);
+//     const auto kernel = pass_kernel_for(plan, isa);
+//     for (int k = 0; k < kernel.survey_passes(); ++k) {                   // a survey of every tile
+//         begin_pass(plan, {kernel.survey_samples(), rotation + k, k == 0});
+//         for (every tile, or where k > 0 with tiles[i].next > 0) add_pass(plan, kernel, tile, accumulator, counts);
+//     }
 //     while (estimated_error(plan, accumulator) > wanted) {
 //         plan_round(plan, accumulator, wanted);                           // who needs how many samples more
+//         ++rotation;                                                      // beginning after those of the survey
 //         for (int step = 0; step < kLadderSteps; ++step) {                // tiles of one step share a pass
-//             begin_pass(plan, {samples_of_step(step), ++rotation});
+//             begin_pass(plan, {samples_of_step(step), rotation});
 //             for (every tile with tiles[i].next == samples_of_step(step)) add_pass(...);
 //         }
 //     }
@@ -17,15 +21,19 @@
 
 #include "core/render/render.hpp"
 
+#include <type_traits>
+
 namespace zerkalo {
 
 constexpr std::int32_t kFirstSamples = kSpreadParts;   // of the survey, the floor: no tile is trusted with fewer
 constexpr std::int32_t kMostSamples = 1 << 14;         // of one pass: what this does not reach is given up
 constexpr int kLadderSteps = 24;                       // and so many sizes a pass can have
+constexpr std::int32_t kReplicas = 4;                  // passes of a survey where one alone tells nothing of its error
+constexpr std::int32_t kReplicaSamples = 2;            // and the lobe rays of each
 
-/// Whether the error of a rule is known from its parts. Not where every fourth point is far from an even set:
-/// `jittered` and `sobol`.
-bool can_tell_error(Estimator estimator);
+/// Whether the parts of a rule's lobe rays tell the error of the whole. Not where every fourth point is far from an
+/// even set, `jittered` and `sobol`: there only whole passes do, each with a rotation of its own.
+bool parts_tell_error(Estimator estimator);
 
 /// Samples of the passes after the survey: 4, 8, 12, 16, 24, 32, 48, ... kMostSamples.
 std::int32_t samples_of_step(int step);
@@ -34,6 +42,7 @@ std::int32_t samples_of_step(int step);
 struct TileProgress {
     double weight = 0;         // of its passes together
     double variance = 0;       // of the mean over them, summed over the tile's pixels and channels
+    double deviations = 0;     // of passes told by one another: squares of their distances to the mean, by weight
     double hits = 0;           // mirror hits, camera rays counted, from which lobe rays go out that can see something
     std::int64_t samples = 0;  // lobe rays a hit, of all passes
     std::int32_t passes = 0;
@@ -48,40 +57,74 @@ struct Accumulator {
     TileProgress* tiles = nullptr;  // tile_count(plan), zeroed to begin with
 };
 
-/// A tile between two passes: what its pixels were before the kernel painted over them, and how sure the new ones are.
-struct TilePass {
-    float before[3 * kTilePixels];
-    TileSpread spread;
+/// A tile's pixels before the kernel paints over them.
+struct TileBefore {
+    float values[3 * kTilePixels];
 };
 
 /// Keeps the tile's pixels as they are, if it has had a pass.
-void keep_tile(const PlanHead& plan, const Accumulator& accumulator, int tile, TilePass& pass);
+void keep_tile(const PlanHead& plan, const Accumulator& accumulator, int tile, TileBefore& before);
 
-/// From the new pass in the picture, which took so many lobe rays, to the mean of all passes.
-void mix_tile(const PlanHead& plan, const Accumulator& accumulator, int tile, const TilePass& pass,
+/// From the new pass in the picture, which took so many lobe rays, to the mean of all passes. It tells its own error,
+/// or is told by the others: then the tile's `next` is set until there are kReplicas.
+void mix_tile(const PlanHead& plan, const Accumulator& accumulator, int tile, const TileBefore& before,
+              const TileSpread& spread, std::uint64_t lobe_rays);
+void mix_tile(const PlanHead& plan, const Accumulator& accumulator, int tile, const TileBefore& before,
               std::uint64_t lobe_rays);
 
-/// Renders one tile with the plan's samples and rotation and adds it to the picture so far; adds to `counts`. The first
-/// pass of every tile must be a survey. Precondition: plan.samples is a multiple of kSpreadParts.
+/// What renders the tiles of the passes over a plan: all of them by one of these.
+template <class F>
+struct PassKernel {
+    void (*tile)(const PlanOf<F>& plan, const Rect& tile, const LinearImage& image, RayCounts& counts);
+    SpreadFunction spread;  // or null: passes are told by one another
+
+    int survey_passes() const { return spread ? 1 : kReplicas; }
+    std::int32_t survey_samples() const { return spread ? kFirstSamples : kReplicaSamples; }
+};
+
+/// A kernel in float whose lobe rays tell their spread, where their rule allows it. Precondition: available(isa).
+template <class F>
+PassKernel<F> pass_kernel_for(const PlanOf<F>& plan, Isa isa) {
+    PassKernel<F> kernel{kernel_for(plan, isa), nullptr};
+    if constexpr (std::is_same_v<F, FloatFormats>) {
+        if (parts_tell_error(plan.sampling.estimator)) kernel.spread = spread_kernel_for(plan, isa);
+    }
+    return kernel;
+}
+
+/// Renders one tile with the plan's samples and rotation and adds it to the picture so far; adds to `counts`. A tile's
+/// first passes must be those of the survey, no two with the same rotation. Precondition: plan.samples is a multiple of
+/// kSpreadParts where the kernel tells its spread.
 /// Here and not in the core's units, which call nothing through a pointer.
-inline void add_pass(const Plan& plan, SpreadFunction kernel, int tile, const Accumulator& accumulator,
-                     RayCounts& counts) {
-    TilePass pass;
-    keep_tile(plan, accumulator, tile, pass);
+template <class F>
+void add_pass(const PlanOf<F>& plan, const PassKernel<F>& kernel, int tile, const Accumulator& accumulator,
+              RayCounts& counts) {
+    TileBefore before;
+    keep_tile(plan, accumulator, tile, before);
     const std::uint64_t lobe_before = counts.lobe;
-    kernel(plan, tile_at(plan, tile), accumulator.picture, counts, pass.spread);
-    mix_tile(plan, accumulator, tile, pass, counts.lobe - lobe_before);
+    if constexpr (std::is_same_v<F, FloatFormats>) {
+        if (kernel.spread) {
+            TileSpread spread;
+            kernel.spread(plan, tile_at(plan, tile), accumulator.picture, counts, spread);
+            mix_tile(plan, accumulator, tile, before, spread, counts.lobe - lobe_before);
+            return;
+        }
+    }
+    kernel.tile(plan, tile_at(plan, tile), accumulator.picture, counts);
+    mix_tile(plan, accumulator, tile, before, counts.lobe - lobe_before);
 }
 
 /// Estimated root of the mean square over all pixels and channels of (picture so far - limit of infinitely many
-/// samples at the same camera rays); infinite before every tile has had a pass. Linear light.
+/// samples at the same camera rays); infinite before the survey of every tile is
+/// complete. Linear light.
 double estimated_error(const PlanHead& plan, const Accumulator& accumulator);
 
 /// The same of one tile.
 double estimated_error(const PlanHead& plan, const Accumulator& accumulator, int tile);
 
 /// Sets `next` of every tile, so that the estimate should then be at most `error`: samples go where they lower it the
-/// most. Returns false, and nobody gets a pass, if every tile that could need one has had kMostSamples.
+/// most. Returns false, and nobody gets a pass, if every tile that could need one has had kMostSamples. Precondition, of
+/// both: the survey is complete.
 bool plan_round(const PlanHead& plan, const Accumulator& accumulator, double error);
 
 /// Sets `next` of every tile, so that the round shoots about `lobe_rays`, where they lower the error the most.

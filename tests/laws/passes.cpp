@@ -1,22 +1,26 @@
 #include "tests/laws/passes.hpp"
 
 #include <cmath>
+#include <map>
 #include <stdexcept>
+#include <tuple>
 
 namespace zerkalo::laws {
 
-Passes::Passes(const Scene& scene, const Settings& settings, Isa isa)
-    : plan_(std::make_unique<Plan>()), rotation_(settings.rotation) {
+template <class AnyPlan>
+PassesOf<AnyPlan>::PassesOf(const Scene& scene, const Settings& settings, Isa isa)
+    : plan_(std::make_unique<AnyPlan>()), rotation_(settings.rotation) {
     prepare_or_throw(scene, settings, *plan_);
-    kernel_ = spread_kernel_for(*plan_, isa);
+    kernel_ = pass_kernel_for(*plan_, isa);
     const auto pixels = static_cast<std::size_t>(plan_->width) * static_cast<std::size_t>(plan_->height);
     picture_ = {plan_->width, plan_->height, std::vector<float>(3 * pixels), {}};
     variances_.resize(pixels);
     tiles_.resize(static_cast<std::size_t>(tile_count(*plan_)));
 }
 
+template <class AnyPlan>
 template <class Wanted>
-void Passes::run(const Pass& pass, const Wanted& wanted) {
+void PassesOf<AnyPlan>::run(const Pass& pass, const Wanted& wanted) {
     if (!begin_pass(*plan_, pass).ok()) throw std::runtime_error("a pass is refused");
     const int count = tile_count(*plan_);
     for (int i = 0; i < count; ++i) {
@@ -27,20 +31,35 @@ void Passes::run(const Pass& pass, const Wanted& wanted) {
     }
 }
 
-void Passes::resume(const Passes& other) {
+template <class AnyPlan>
+void PassesOf<AnyPlan>::resume(const PassesOf& other) {
     picture_ = other.picture_, variances_ = other.variances_;
     tiles_ = other.tiles_, rotation_ = other.rotation_;
 }
 
-const Image& Passes::single(std::int32_t samples) {
+template <class AnyPlan>
+const Image& PassesOf<AnyPlan>::single(std::int32_t samples) {
     tiles_.assign(tiles_.size(), {});
     run({samples, rotation_, true}, [](const TileProgress&) { return true; });
     return picture_;
 }
 
-void Passes::survey() { single(kFirstSamples); }
+template <class AnyPlan>
+void PassesOf<AnyPlan>::survey_pass(int number) {
+    if (number == 0) {
+        single(kernel_.survey_samples());
+    } else {
+        run({kernel_.survey_samples(), ++rotation_}, [](const TileProgress& tile) { return tile.next > 0; });
+    }
+}
 
-void Passes::round() {
+template <class AnyPlan>
+void PassesOf<AnyPlan>::survey() {
+    for (int k = 0; k < kernel_.survey_passes(); ++k) survey_pass(k);
+}
+
+template <class AnyPlan>
+void PassesOf<AnyPlan>::round() {
     ++rotation_;
     for (int step = 0; step < kLadderSteps; ++step) {
         const std::int32_t samples = samples_of_step(step);
@@ -48,16 +67,21 @@ void Passes::round() {
     }
 }
 
-double Passes::refine(double error) {
+template <class AnyPlan>
+double PassesOf<AnyPlan>::refine(double error) {
     survey();
     while (estimate() > error && plan(error)) round();
     return estimate();
 }
 
+template class PassesOf<Plan>;
+template class PassesOf<FixedPlan>;
+template class PassesOf<DoublePlan>;
+
 Image converged(const Scene& scene, const Settings& settings) {
     constexpr int kPlacements = 4;
     Settings many = settings;
-    many.samples = 509;
+    many.samples = 508 / settings.antialias + 1;
     std::vector<double> sum;
     Image image;
     for (int k = 1; k <= kPlacements; ++k) {
@@ -68,6 +92,29 @@ Image converged(const Scene& scene, const Settings& settings) {
     }
     for (std::size_t i = 0; i < sum.size(); ++i) image.rgb[i] = static_cast<float>(sum[i]);
     return image;
+}
+
+const std::vector<ShippedScene>& unpolished_scenes() {
+    static const std::vector<ShippedScene> scenes = [] {
+        const auto plan = std::make_unique<Plan>();
+        std::vector<ShippedScene> found;
+        for (const ShippedScene& shipped : shipped_scenes()) {
+            prepare_or_throw(shipped.scene, of_size(8, 8), *plan);
+            if (plan->features & kFeatureGlossy) found.push_back(shipped);
+        }
+        return found;
+    }();
+    return scenes;
+}
+
+const Image& limit_of(const std::string& scene, int width, int height) {
+    static std::map<std::tuple<std::string, int, int>, Image> limits;
+    const auto [place, fresh] = limits.try_emplace({scene, width, height});
+    if (!fresh) return place->second;
+    for (const ShippedScene& shipped : unpolished_scenes()) {
+        if (shipped.name == scene) place->second = converged(shipped.scene, of_size(width, height));
+    }
+    return place->second;
 }
 
 double distance(const Image& a, const Image& b) {

@@ -3,32 +3,39 @@
 
 #include "core/render/progressive.hpp"
 #include "tests/laws/rendering.hpp"
+#include "tests/laws/shipped.hpp"
 
 #include <memory>
 #include <vector>
 
 namespace zerkalo::laws {
 
-class Passes {
+/// AnyPlan: Plan, FixedPlan, DoublePlan.
+template <class AnyPlan>
+class PassesOf {
 public:
-    Passes(const Scene& scene, const Settings& settings, Isa isa = best_isa());
+    PassesOf(const Scene& scene, const Settings& settings, Isa isa = best_isa());
 
     /// The order in which tiles are rendered: the last one first.
     void reverse_tiles() { backwards_ = true; }
 
     /// Goes on where another one stands, with nothing of it but the picture, the tiles and the number of the rotation.
-    void resume(const Passes& other);
+    void resume(const PassesOf& other);
 
     /// One pass alone over all tiles.
     const Image& single(std::int32_t samples);
 
     void survey();
+    /// Pass `number` of those that are the survey.
+    void survey_pass(int number);
     bool plan(double error) { return plan_round(*plan_, accumulator(), error); }
     void round();
 
     /// Survey and rounds until the estimate is at most `error`, which is returned.
     double refine(double error);
 
+    /// Whether a pass alone tells its error.
+    bool tells() const { return kernel_.spread != nullptr; }
     double estimate() { return estimated_error(*plan_, accumulator()); }
     const Image& picture() const { return picture_; }
     const RayCounts& rays() const { return picture_.rays; }
@@ -40,17 +47,26 @@ private:
     template <class Wanted>
     void run(const Pass& pass, const Wanted& wanted);
 
-    std::unique_ptr<Plan> plan_;
-    SpreadFunction kernel_;
+    std::unique_ptr<AnyPlan> plan_;
+    decltype(pass_kernel_for(AnyPlan(), Isa::scalar)) kernel_;
     Image picture_;
     std::vector<float> variances_;
     std::vector<TileProgress> tiles_;
     std::int32_t rotation_;
     bool backwards_ = false;
 };
+using Passes = PassesOf<Plan>;
+using FixedPasses = PassesOf<FixedPlan>;
+using DoublePasses = PassesOf<DoublePlan>;
 
 /// The limit of many samples, by the same kernel: the mean of independent placements.
 Image converged(const Scene& scene, const Settings& settings);
+
+/// The shipped scenes with an unpolished mirror.
+const std::vector<ShippedScene>& unpolished_scenes();
+
+/// The limit of such a scene's picture of that size, computed once.
+const Image& limit_of(const std::string& scene, int width, int height);
 
 /// Root of the mean square of the differences over pixels and channels.
 double distance(const Image& a, const Image& b);

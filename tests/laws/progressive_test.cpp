@@ -1,13 +1,11 @@
 // Pictures in passes: whole after each, the same bytes in any order, and as near to the limit as they say.
 #include "core/render/progressive.hpp"
 #include "tests/laws/passes.hpp"
-#include "tests/laws/shipped.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace zerkalo::laws {
 namespace {
@@ -17,19 +15,7 @@ constexpr int kWidth = 52, kHeight = 36;  // whole tiles, and a part of one at e
 /// Calls law(name, scene) for the shipped scenes with an unpolished mirror.
 template <class Law>
 void for_unpolished(const Law& law) {
-    const auto plan = std::make_unique<Plan>();
-    for (const auto& [name, scene] : shipped_scenes()) {
-        prepare_or_throw(scene, of_size(8, 8), *plan);
-        if (plan->features & kFeatureGlossy) law(name, scene);
-    }
-}
-
-/// The limit of a scene's picture, computed once.
-const Image& limit_of(const std::string& name, const Scene& scene) {
-    static std::map<std::string, Image> limits;
-    const auto known = limits.find(name);
-    if (known != limits.end()) return known->second;
-    return limits[name] = converged(scene, of_size(kWidth, kHeight));
+    for (const auto& [name, scene] : unpolished_scenes()) law(name, scene);
 }
 
 TEST(Progressive, TheSpreadKernelPaintsTheSameBytes) {
@@ -82,7 +68,7 @@ TEST(Progressive, ResumedIsTheSameAsUninterrupted) {
 TEST(Progressive, TheEstimateIsWithinAFactorOfThreeHalvesInNineteenOfTwenty) {
     int pictures = 0, off = 0;
     for_unpolished([&](const std::string& name, const Scene& scene) {
-        const Image& limit = limit_of(name, scene);
+        const Image& limit = limit_of(name, kWidth, kHeight);
         for (const double error : {0.02, 0.006, 0.002, 0.0007}) {
             for (const std::int32_t rotation : {0, 31}) {
                 Settings settings = of_size(kWidth, kHeight);
@@ -151,7 +137,7 @@ TEST(Progressive, TheErrorThatIsAskedForIsReachedWithHardlyMoreRaysThanEqualSamp
     for_unpolished([](const std::string& name, const Scene& scene) {
         constexpr double kError = 0.002, kMostRays = 1.3, kNotQuite = 1.1;
         Settings settings = of_size(80, 60);
-        const Image limit = converged(scene, settings);
+        const Image& limit = limit_of(name, 80, 60);
         const double enough = kPlacementCount * kError * kError;
         Outcome equal, refined;
         for (settings.samples = 1; settings.samples < 4096; ++settings.samples) {

@@ -23,10 +23,7 @@ Image tiles_of(const AnyPlan& plan, Isa isa) {
 template <class AnyPlan>
 Image rendered(const Scene& scene, const Settings& settings, Isa isa) {
     const auto plan = std::make_unique<AnyPlan>();
-    const Status status = prepare(scene, settings, *plan);
-    if (!status.ok()) {
-        throw std::runtime_error(std::string(name_of(status.part)) + ": " + status.field + ": " + status.reason);
-    }
+    prepare_or_throw(scene, settings, *plan);
     return tiles_of(*plan, isa);
 }
 
@@ -44,12 +41,17 @@ Rgb<float> Image::at(int x, int y) const {
 
 std::uint64_t Image::hash() const { return hash_of(view()); }
 
-void prepare_or_throw(const Scene& scene, const Settings& settings, Plan& plan) {
+template <class AnyPlan>
+void prepare_or_throw(const Scene& scene, const Settings& settings, AnyPlan& plan) {
     const Status status = prepare(scene, settings, plan);
     if (!status.ok()) {
         throw std::runtime_error(std::string(name_of(status.part)) + ": " + status.field + ": " + status.reason);
     }
 }
+
+template void prepare_or_throw(const Scene&, const Settings&, Plan&);
+template void prepare_or_throw(const Scene&, const Settings&, FixedPlan&);
+template void prepare_or_throw(const Scene&, const Settings&, DoublePlan&);
 
 Image render(const Plan& plan, Isa isa) { return tiles_of(plan, isa); }
 Image render(const DoublePlan& plan) { return tiles_of(plan, Isa::scalar); }

@@ -33,7 +33,8 @@ Image render_fixed(const Scene& scene, const Settings& settings, Isa isa = best_
 Image render_double(const Scene& scene, const Settings& settings);
 
 /// Throws std::runtime_error when prepare() refuses.
-void prepare_or_throw(const Scene& scene, const Settings& settings, Plan& plan);
+template <class AnyPlan>
+void prepare_or_throw(const Scene& scene, const Settings& settings, AnyPlan& plan);
 
 /// Every instruction set that this program has and this CPU can run.
 std::vector<Isa> available_isas();

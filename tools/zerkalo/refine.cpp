@@ -13,15 +13,17 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kGrowth = 4;  // lobe rays of a round beside all before: what the clock cuts off is then not all
 
+/// AnyPlan: Plan, FixedPlan, DoublePlan.
+template <class AnyPlan>
 class Refinement {
 public:
-    Refinement(const Frame& frame, const std::atomic<bool>& stopped, bool progress)
+    Refinement(const Frame& frame, AnyPlan& plan, const std::atomic<bool>& stopped, bool progress)
         : frame_(frame),
+          plan_(plan),
           stopped_(stopped),
           progress_(progress),
-          kernel_(spread_kernel_for(*frame.plan, frame.isa)),
-          first_rotation_(static_cast<std::uint32_t>(frame.rotation)),
-          tiles_(static_cast<std::size_t>(tile_count(*frame.plan))),
+          kernel_(pass_kernel_for(plan, frame.isa)),
+          tiles_(static_cast<std::size_t>(tile_count(plan))),
           counts_(static_cast<std::size_t>(frame.threads)) {
         accumulator_.picture = frame.image;
         accumulator_.tiles = tiles_.data();
@@ -30,22 +32,26 @@ public:
     void end_at(Clock::time_point deadline) { deadline_ = deadline; }
     bool out_of_time() const { return stopped_.load(std::memory_order_relaxed) || Clock::now() >= deadline_; }
 
-    const PlanHead& plan() const { return *frame_.plan; }
+    const PlanHead& plan() const { return plan_; }
     const Accumulator& accumulator() const { return accumulator_; }
     double estimated() const { return estimated_error(plan(), accumulator_); }
     double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
     double seconds_left() const { return std::chrono::duration<double>(deadline_ - Clock::now()).count(); }
 
     void survey() {
-        std::vector<int> all(tiles_.size());
-        for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
-        run({kFirstSamples, frame_.rotation, true}, all, false);
+        std::vector<int> tiles(tiles_.size());
+        for (std::size_t i = 0; i < tiles.size(); ++i) tiles[i] = static_cast<int>(i);
+        for (int k = 0; k < kernel_.survey_passes(); ++k) {
+            run({kernel_.survey_samples(), next_rotation(), k == 0}, tiles, false);
+            // What is exact needs no second one.
+            tiles.erase(std::remove_if(tiles.begin(), tiles.end(), [&](int tile) { return next_of(tile) == 0; }),
+                        tiles.end());
+        }
     }
 
     /// The passes that the tiles have been given; what is out of time is left out.
     void round() {
-        ++rounds_;
-        const auto rotation = static_cast<std::int32_t>((first_rotation_ + rounds_) & kMaxRotation);
+        const std::int32_t rotation = next_rotation();
         std::vector<int> of_step[kLadderSteps];
         for (int step = 0; step < kLadderSteps; ++step) {
             for (std::size_t i = 0; i < tiles_.size(); ++i) {
@@ -76,9 +82,15 @@ public:
     }
 
 private:
+    std::int32_t next_of(int tile) const { return tiles_[static_cast<std::size_t>(tile)].next; }
+
+    std::int32_t next_rotation() {
+        return static_cast<std::int32_t>((static_cast<std::uint32_t>(frame_.rotation) + rotations_++) & kMaxRotation);
+    }
+
     void run(const Pass& pass, const std::vector<int>& tiles, bool may_stop) {
         // The ladder's samples and a masked rotation are what begin_pass() takes.
-        (void)begin_pass(*frame_.plan, pass);
+        (void)begin_pass(plan_, pass);
         ++passes_;
         std::optional<Progress> line;
         if (progress_) line.emplace(static_cast<std::int64_t>(tiles.size()));
@@ -86,7 +98,7 @@ private:
             if (may_stop && out_of_time()) return;
             RayCounts& rays = counts_[static_cast<std::size_t>(thread)].rays;
             const std::uint64_t before = total_of(rays);
-            add_pass(*frame_.plan, kernel_, tiles[static_cast<std::size_t>(i)], accumulator_, rays);
+            add_pass(plan_, kernel_, tiles[static_cast<std::size_t>(i)], accumulator_, rays);
             if (!line) return;
             line->add_step(total_of(rays) - before);
             if (thread == 0) line->show();
@@ -94,22 +106,20 @@ private:
     }
 
     const Frame& frame_;
+    AnyPlan& plan_;
     const std::atomic<bool>& stopped_;
     bool progress_;
-    SpreadFunction kernel_;
-    std::uint32_t first_rotation_;
+    decltype(pass_kernel_for(AnyPlan(), Isa::scalar)) kernel_;
     std::vector<TileProgress> tiles_;
     std::vector<ThreadCounts> counts_;
     Accumulator accumulator_;
     Clock::time_point start_ = Clock::now(), deadline_ = Clock::time_point::max();
-    std::uint32_t rounds_ = 0;
+    std::uint32_t rotations_ = 0;
     std::int32_t passes_ = 0;
 };
 
-}  // namespace
-
-Refined refine_to_error(const Frame& frame, double error, const std::atomic<bool>& stopped, bool progress) {
-    Refinement work(frame, stopped, progress);
+template <class AnyPlan>
+Refined to_error(Refinement<AnyPlan>& work, double error) {
     work.survey();
     while (work.estimated() > error) {
         if (work.out_of_time() || !plan_round(work.plan(), work.accumulator(), error)) return work.result(false);
@@ -118,10 +128,9 @@ Refined refine_to_error(const Frame& frame, double error, const std::atomic<bool
     return work.result(true);
 }
 
-Refined refine_for(const Frame& frame, std::chrono::duration<double> time, const std::atomic<bool>& stopped,
-                   bool progress) {
-    Refinement work(frame, stopped, progress);
-    work.end_at(Clock::now() + std::chrono::duration_cast<Clock::duration>(time));
+template <class AnyPlan>
+Refined in_time(Refinement<AnyPlan>& work, Clock::duration time) {
+    work.end_at(Clock::now() + time);
     work.survey();
     while (!work.out_of_time()) {
         const double lobe_rays = static_cast<double>(work.rays().lobe), rate = lobe_rays / work.seconds();
@@ -130,6 +139,31 @@ Refined refine_for(const Frame& frame, std::chrono::duration<double> time, const
         work.round();
     }
     return work.result(true);
+}
+
+/// Calls work(plan) for that of the three which the frame has.
+template <class Work>
+Refined with_plan(const Frame& frame, const Work& work) {
+    if (frame.plan) return work(*frame.plan);
+    if (frame.fixed_plan) return work(*frame.fixed_plan);
+    return work(*frame.double_plan);
+}
+
+}  // namespace
+
+Refined refine_to_error(const Frame& frame, double error, const std::atomic<bool>& stopped, bool progress) {
+    return with_plan(frame, [&](auto& plan) {
+        Refinement work(frame, plan, stopped, progress);
+        return to_error(work, error);
+    });
+}
+
+Refined refine_for(const Frame& frame, std::chrono::duration<double> time, const std::atomic<bool>& stopped,
+                   bool progress) {
+    return with_plan(frame, [&](auto& plan) {
+        Refinement work(frame, plan, stopped, progress);
+        return in_time(work, std::chrono::duration_cast<Clock::duration>(time));
+    });
 }
 
 }  // namespace zerkalo

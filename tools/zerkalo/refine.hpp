@@ -19,7 +19,7 @@ struct Refined {
 };
 
 /// Renders until the estimated error is at most `error`, until no tile may have more samples, or until `stopped`. The
-/// first pass is always finished, so the picture is whole. Deterministic unless stopped. Precondition: frame.plan.
+/// survey is always finished, so the picture is whole. Deterministic unless stopped.
 Refined refine_to_error(const Frame& frame, double error, const std::atomic<bool>& stopped, bool progress);
 
 /// The best picture in the time: the same passes, chosen by how fast they are, so not deterministic.

@@ -123,13 +123,6 @@ void check_refinement(const RenderOptions& options, bool samples_given) {
     const auto refuse = [](const std::string& text) { throw Failure(ExitCode::usage, text); };
     if (options.error && options.time_ms) refuse("--error and --time both say when to stop; choose one");
     if (samples_given) refuse(option + " chooses the samples itself; leave --samples out");
-    if (options.number != Number::floating) {
-        refuse(option + " needs --number float: only its kernels tell how sure they are");
-    }
-    if (!can_tell_error(options.settings.estimator)) {
-        refuse(option + " cannot tell the error of --estimator " + name_of(options.settings.estimator) +
-               "; fibonacci, fibonacci+coverage, r2 and random can");
-    }
     if (options.time_ms && options.repeat > 1) refuse("--time takes the time it is given; leave --repeat out");
 }
 

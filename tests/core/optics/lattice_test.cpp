@@ -6,6 +6,8 @@
 #include "tests/core/support/widths.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace zerkalo::test {
 namespace {
@@ -26,6 +28,40 @@ class P15 : public Lattice {};
 class P16 : public Lattice {};
 
 float inverse_of(float exponent) { return 1 / (exponent + 1); }
+
+// The mean over all rotations is the integral of each camera ray's own lobe, not only of the pixel's.
+TEST(LatticeParts, RotationsGiveEveryCameraSampleEveryPartOfTheShares) {
+    constexpr int kRotationsAPart = 400;
+    for (const std::int32_t parts : {1, 2, 3, 16, 25}) {
+        for (std::int32_t a = 0; a < parts; a += 1 + parts / 3) {
+            std::vector<int> seen(static_cast<std::size_t>(parts));
+            for (std::int32_t k = 0; k < kRotationsAPart * parts; ++k) {
+                const Sampling sampling = sampling_of(Estimator::fibonacci, static_cast<std::uint32_t>(k));
+                const LatticePart part = lattice_part(sampling, static_cast<std::uint32_t>(a), parts);
+                ++seen[static_cast<std::size_t>(part.place * static_cast<float>(parts))];
+            }
+            // Five standard deviations of a binomial count, hardly below those of Poisson's.
+            for (const int count : seen) {
+                EXPECT_NEAR(count, kRotationsAPart, 5 * std::sqrt(kRotationsAPart)) << "sample " << a << " of " << parts;
+            }
+        }
+    }
+}
+
+// All of them together are one lattice, whatever the rotation.
+TEST(LatticeParts, ARotationGivesEachPartToOneCameraSample) {
+    for (const std::int32_t parts : {1, 2, 3, 16, 25}) {
+        for (std::uint32_t rotation = 0; rotation < 200; ++rotation) {
+            std::vector<int> seen(static_cast<std::size_t>(parts));
+            for (std::int32_t a = 0; a < parts; ++a) {
+                const LatticePart part = lattice_part(sampling_of(Estimator::fibonacci, rotation),
+                                                      static_cast<std::uint32_t>(a), parts);
+                ++seen[static_cast<std::size_t>(part.place * static_cast<float>(parts))];
+            }
+            for (const int count : seen) ASSERT_EQ(count, 1) << "rotation " << rotation << ", " << parts << " parts";
+        }
+    }
+}
 
 TEST_P(Lattice, LobePointIsTheClosedFormForEveryExponent) {
     Random random(91);

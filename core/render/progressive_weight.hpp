@@ -1,0 +1,35 @@
+// What a pass counts for beside others: in proportion to the inverse of the variance that is expected of it.
+#pragma once
+
+#include "core/numeric/setup.hpp"
+#include "core/render/progressive.hpp"
+
+namespace zerkalo::inline ZERKALO_ISA {
+
+/// The variance of a pass falls as samples^-(gain / 8), measured over the shipped scenes (README.md). Where passes are
+/// all that tells the error, the few samples of the survey stand for the many that follow: there it is taken finer.
+inline int gain_of(const PlanHead& plan, bool told_by_passes) {
+    const Estimator rule = plan.sampling.estimator;
+    if (rule == Estimator::random) return 8;
+    if (!told_by_passes) return 12;
+    // Rays between unpolished mirrors go on at random, one for each.
+    if (plan.mirror_count > 1) return 10;
+    const int of_rule = rule == Estimator::jittered ? 10 : is_keyed(rule) ? 11 : 12;
+    // Rays off normals that the viewer sees lie less evenly.
+    return plan.features & kFeatureGgx ? of_rule - 1 : of_rule;
+}
+
+/// samples^(gain / 8) for a gain of 8..15.
+inline double weight_of(double samples, int gain) {
+    const double half = square_root(samples), quarter = square_root(half), eighth = square_root(quarter);
+    double weight = samples;
+    if (gain & 4) weight *= half;
+    if (gain & 2) weight *= quarter;
+    if (gain & 1) weight *= eighth;
+    return weight;
+}
+
+/// Pixels times channels.
+inline double values_of(const PlanHead& plan) { return 3.0 * plan.width * plan.height; }
+
+}  // namespace zerkalo::inline ZERKALO_ISA
