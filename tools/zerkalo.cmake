@@ -14,6 +14,7 @@ add_library(zerkalo_commands OBJECT
   zerkalo/picture_file.cpp
   zerkalo/picture_difference.cpp
   zerkalo/difference_map.cpp
+  zerkalo/edge_rays.cpp
   zerkalo/frame.cpp
   zerkalo/refine.cpp
   zerkalo/render_command.cpp

@@ -13,8 +13,8 @@ std::uint32_t far_apart(float a, float b) {
     const float larger = a > b ? a : b, smaller = a > b ? b : a;
     const float high = larger < 1 ? larger : 1.0f, low = smaller > 0 ? smaller : 0.0f;
     const float beyond = high - low - kStep * kStep;
-    const bool further = beyond * beyond > 4 * kStep * kStep * low;
-    return static_cast<std::uint32_t>(beyond > 0) & static_cast<std::uint32_t>(further);
+    const std::uint32_t further = beyond * beyond > 4 * kStep * kStep * low ? 1u : 0u;
+    return beyond > 0 ? further : 0u;
 }
 
 constexpr int kMostPairs = kTileSide + 1;

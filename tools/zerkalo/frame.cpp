@@ -1,45 +1,24 @@
 #include "tools/zerkalo/frame.hpp"
 
-#include "core/render/edges.hpp"
 #include "tools/thread_tiles.hpp"
+#include "tools/zerkalo/edge_rays.hpp"
 #include "tools/zerkalo/failure.hpp"
 #include "tools/zerkalo/messages.hpp"
 #include "tools/zerkalo/progress.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 
 namespace zerkalo {
 namespace {
 
-/// The edges of a finished picture, tile by tile, and how many there are.
-struct EdgePixels {
-    std::vector<std::uint64_t> of_tile;
-    std::int64_t count = 0;
-};
-
-EdgePixels find_edges(const Frame& frame) {
-    EdgePixels edges;
-    edges.of_tile.resize(static_cast<std::size_t>(tile_count(frame.head())));
-    thread_tiles(tile_count(frame.head()), frame.threads, [&](int i, int) {
-        edges.of_tile[static_cast<std::size_t>(i)] = edge_pixels(frame.image, tile_at(frame.head(), i));
-    });
-    for (const std::uint64_t pixels : edges.of_tile) edges.count += std::popcount(pixels);
-    return edges;
-}
-
-/// Renders of every tile the pixels that `chosen` names; tiles without any are left out.
-/// Those begun after `stopped` was set too.
-template <class Chosen>
-RayCounts render_tiles(const Frame& frame, Progress* progress, const std::atomic<bool>* stopped, const Chosen& chosen) {
+RayCounts render_tiles(const Frame& frame, Progress* progress, const std::atomic<bool>* stopped) {
     std::vector<ThreadCounts> counts(static_cast<std::size_t>(frame.threads));
-    const auto render_tile = [&](int i, int thread) {
-        const Tile tile(tile_at(frame.head(), i), chosen(i));
-        if (tile.pixels == 0 || (stopped && stopped->load(std::memory_order_relaxed))) return;
+    const auto render_tile = [&](int tile, int thread) {
+        if (stopped && stopped->load(std::memory_order_relaxed)) return;
         RayCounts& rays = counts[static_cast<std::size_t>(thread)].rays;
         const std::uint64_t before = progress ? total_of(rays) : 0;
-        frame.render_tile(tile, rays);
+        frame.render_tile(tile_at(frame.head(), tile), rays);
         if (!progress) return;
         progress->add_step(total_of(rays) - before);
         if (thread == 0) progress->show();
@@ -51,19 +30,14 @@ RayCounts render_tiles(const Frame& frame, Progress* progress, const std::atomic
     return sum;
 }
 
-constexpr auto kAllPixels = [](int) { return kWholeTile; };
-
+/// `stopped` leaves out what is begun after it was set; null: nobody stops.
 void render_once(const Frame& frame, Progress* progress, const std::atomic<bool>* stopped, FrameCost& cost) {
-    const std::int32_t antialias = frame.head().edge_antialias;
-    if (antialias == 0) {
-        cost.rays = render_tiles(frame, progress, stopped, kAllPixels);
-        return;
-    }
-    frame.begin(centre_pass(frame.samples, frame.rotation));
-    cost.rays = render_tiles(frame, progress, stopped, kAllPixels);
+    cost.rays = render_tiles(frame, progress, stopped);
+    if (frame.head().edge_antialias == 0) return;
+    const auto is_stopped = [&] { return stopped && stopped->load(std::memory_order_relaxed); };
     const EdgePixels edges = find_edges(frame);
-    frame.begin(edge_pass(frame.samples, frame.rotation, antialias));
-    cost.rays += render_tiles(frame, nullptr, stopped, [&](int i) { return edges.of_tile[static_cast<std::size_t>(i)]; });
+    const std::vector<std::int32_t> samples(edges.of_tile.size(), frame.samples);
+    paint_edges(frame, edges, samples, is_stopped, cost.rays);
     cost.edge_pixels = edges.count;
 }
 

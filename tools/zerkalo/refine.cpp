@@ -1,6 +1,7 @@
 #include "tools/zerkalo/refine.hpp"
 
 #include "tools/thread_tiles.hpp"
+#include "tools/zerkalo/edge_rays.hpp"
 #include "tools/zerkalo/progress.hpp"
 
 #include <algorithm>
@@ -11,6 +12,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr double kSparse = 4;  // what a camera ray costs where packets are not full, beside one where they are
 constexpr double kGrowth = 4;  // lobe rays of a round beside all before: what the clock cuts off is then not all
 
 /// AnyPlan: Plan, FixedPlan, DoublePlan.
@@ -63,6 +65,25 @@ public:
         }
     }
 
+    /// Seconds that more camera rays at edges will take, from the picture so far.
+    double seconds_of_edges() const {
+        if (plan().edge_antialias == 0) return 0;
+        const double camera_rays = static_cast<double>(find_edges(frame_).count) * plan().edge_antialias;
+        return kSparse * seconds() * camera_rays / static_cast<double>(rays().primary);
+    }
+
+    /// Gives the pixels at edges their camera rays, which share the lobe rays that their tiles have had.
+    void finish_edges() {
+        if (plan().edge_antialias == 0) return;
+        const EdgePixels edges = find_edges(frame_);
+        std::vector<std::int32_t> samples;
+        for (const TileProgress& tile : tiles_) {
+            samples.push_back(static_cast<std::int32_t>(std::min<std::int64_t>(tile.samples, kMaxSamples)));
+        }
+        paint_edges(frame_, edges, samples, [&] { return out_of_time(); }, counts_.front().rays);
+        edge_pixels_ = edges.count;
+    }
+
     RayCounts rays() const {
         RayCounts sum;
         for (const ThreadCounts& of_thread : counts_) sum += of_thread.rays;
@@ -77,7 +98,7 @@ public:
         for (const TileProgress& tile : tiles_) {
             if (tile.hits > 0) result.most_samples = std::max(result.most_samples, tile.samples);
         }
-        result.cost = {{seconds()}, rays()};
+        result.cost = {{seconds()}, rays(), edge_pixels_};
         return result;
     }
 
@@ -116,28 +137,35 @@ private:
     Clock::time_point start_ = Clock::now(), deadline_ = Clock::time_point::max();
     std::uint32_t rotations_ = 0;
     std::int32_t passes_ = 0;
+    std::int64_t edge_pixels_ = 0;
 };
 
 template <class AnyPlan>
 Refined to_error(Refinement<AnyPlan>& work, double error) {
     work.survey();
-    while (work.estimated() > error) {
-        if (work.out_of_time() || !plan_round(work.plan(), work.accumulator(), error)) return work.result(false);
-        work.round();
+    bool reached = true;
+    while (reached && work.estimated() > error) {
+        reached = !work.out_of_time() && plan_round(work.plan(), work.accumulator(), error);
+        if (reached) work.round();
     }
-    return work.result(true);
+    work.finish_edges();
+    return work.result(reached);
 }
 
 template <class AnyPlan>
 Refined in_time(Refinement<AnyPlan>& work, Clock::duration time) {
-    work.end_at(Clock::now() + time);
+    const Clock::time_point deadline = Clock::now() + time;
     work.survey();
+    work.end_at(deadline - std::chrono::duration_cast<Clock::duration>(
+                               std::chrono::duration<double>(work.seconds_of_edges())));
     while (!work.out_of_time()) {
         const double lobe_rays = static_cast<double>(work.rays().lobe), rate = lobe_rays / work.seconds();
         const double affordable = std::min(kGrowth * lobe_rays, rate * work.seconds_left());
         if (!plan_round_of(work.plan(), work.accumulator(), affordable)) break;
         work.round();
     }
+    work.end_at(deadline);
+    work.finish_edges();
     return work.result(true);
 }
 
