@@ -75,7 +75,7 @@ void mix_tile(const PlanHead& plan, const Accumulator& accumulator, int tile, co
 /// What renders the tiles of the passes over a plan: all of them by one of these.
 template <class F>
 struct PassKernel {
-    void (*tile)(const PlanOf<F>& plan, const Rect& tile, const LinearImage& image, RayCounts& counts);
+    void (*tile)(const PlanOf<F>& plan, const Tile& tile, const LinearImage& image, RayCounts& counts);
     SpreadFunction spread;  // or null: passes are told by one another
 
     int survey_passes() const { return spread ? 1 : kReplicas; }
