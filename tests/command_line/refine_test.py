@@ -149,6 +149,8 @@ class Refine(CommandLineTest):
         self.assertIn("--samples", self.refused("--error", "0.1", "--samples", "16"))
         self.assertIn("--samples", self.refused("--time", "5", "--samples", "16"))
         self.assertIn("--repeat", self.refused("--time", "5", "--repeat", "3"))
+        for option in "--error", "--time":
+            self.assertIn("--antialias N, not auto", self.refused(option, "5", "--antialias", "auto"))
 
 
 if __name__ == "__main__":

@@ -38,7 +38,7 @@ TEST(LatticeParts, RotationsGiveEveryCameraSampleEveryPartOfTheShares) {
             for (std::int32_t k = 0; k < kRotationsAPart * parts; ++k) {
                 const Sampling sampling = sampling_of(Estimator::fibonacci, static_cast<std::uint32_t>(k));
                 const LatticePart part = lattice_part(sampling, static_cast<std::uint32_t>(a), parts);
-                ++seen[static_cast<std::size_t>(std::int64_t{part.place} * parts >> kPlaceBits)];
+                ++seen[static_cast<std::size_t>(part.place * std::int64_t{parts} >> kPlaceBits)];
             }
             // Five standard deviations of a binomial count, hardly below those of Poisson's.
             for (const int count : seen) {
@@ -56,7 +56,7 @@ TEST(LatticeParts, ARotationGivesEachPartToOneCameraSample) {
             for (std::int32_t a = 0; a < parts; ++a) {
                 const LatticePart part = lattice_part(sampling_of(Estimator::fibonacci, rotation),
                                                       static_cast<std::uint32_t>(a), parts);
-                ++seen[static_cast<std::size_t>(std::int64_t{part.place} * parts >> kPlaceBits)];
+                ++seen[static_cast<std::size_t>(part.place * std::int64_t{parts} >> kPlaceBits)];
             }
             for (const int count : seen) ASSERT_EQ(count, 1) << "rotation " << rotation << ", " << parts << " parts";
         }
