@@ -57,7 +57,7 @@ ZERKALO_INLINE Rgb<LightSum<R>> camera_light(const PlanFor<R>& plan, const TileV
     return sum;
 }
 
-/// The same of a tile's camera sample a. Called, not inlined: what it has on the stack is gone when the lobes are traced.
+/// The same of a tile's camera sample a. Called, not inlined: what it has on the stack is gone once lobes are traced.
 template <class R>
 ZERKALO_ONCE void trace_camera_rays(const PlanFor<R>& plan, const TileView& view, const Tile& tile, std::int32_t a,
                                     LightSums& sums, WaitingLobes& waiting, TileCounts& counts) {

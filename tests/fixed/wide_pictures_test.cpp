@@ -29,11 +29,11 @@ Hashed rendered(const FixedPlan& plan, FixedTileFunction render_tile) {
 
 /// A kernel of W lanes in arrays.
 template <int W>
-void of_width(const FixedPlan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
+void of_width(const FixedPlan& plan, const Tile& tile, const LinearImage& image, RayCounts& counts) {
     render_tile_fixed<FixedNumbers<W>>(plan, tile, image, counts);
 }
 
-void by_general_kernel(const FixedPlan& plan, const Rect& tile, const LinearImage& image, RayCounts& counts) {
+void by_general_kernel(const FixedPlan& plan, const Tile& tile, const LinearImage& image, RayCounts& counts) {
     render_tile_general<FixedNumbers<1>>(plan, tile, image, counts);
 }
 
