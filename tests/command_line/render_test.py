@@ -127,6 +127,19 @@ class Render(CommandLineTest):
         self.assertGreater(dense["rays"]["lobe"], plain["rays"]["lobe"])
         self.assertGreater(plain["rays"]["lobe"], 0)
 
+    def test_pixels_at_edges_alone_get_more_camera_rays(self):
+        plain = self.json("render", self.scene, "-o", self.path("a.png"))
+        auto = self.json("render", self.scene, "-o", self.path("a.png"), "--antialias", "auto")
+        self.assertNotIn("edge_pixels", plain)
+        self.assertEqual((auto["antialias"], auto["edge_antialias"]), (1, 16))
+        self.assertGreater(auto["edge_pixels"], 0)
+        self.assertEqual(auto["rays"]["primary"], plain["rays"]["primary"] + 16 * auto["edge_pixels"])
+        self.assertLess(auto["edge_pixels"], plain["rays"]["primary"] // 2)
+        self.assertIn("antialias", auto["features"])
+        for more in ("--threads", "3"), ("--isa", "scalar"), ("--repeat", "3"):
+            again = self.json("render", self.scene, "-o", self.path("a.png"), "--antialias", "auto", *more)
+            self.assertEqual((again["hash"], again["rays"]), (auto["hash"], auto["rays"]), more)
+
     def test_an_exact_plan_sends_the_lobe_rays_that_culling_spares(self):
         scene = self.file("phong.toml", SCENE.replace("lobe_exponent", "lobe = \"phong\"\nlobe_exponent"))
         plain = self.json("render", scene, "-o", self.path("a.png"))

@@ -67,6 +67,11 @@ class Usage(CommandLineTest):
                 self.refuse_render(f"{option}={value}", says=[
                     option, f"'{value}' is not a whole number from {low} to {high}"])
 
+    def test_camera_rays_are_a_number_or_auto(self):
+        for value in ("Auto", "auto:16", "automatic", "0", "-1"):
+            self.refuse_render(f"--antialias={value}",
+                               says=[f"'{value}' is not a whole number from 1 to 4096, or auto"])
+
     def test_a_wrong_choice_lists_what_is_allowed(self):
         self.refuse_render("--isa", "avx3", says=["'avx3'", "scalar, sse2, sse4.2, avx2, avx512, neon"])
         self.refuse_render("--number", "half", says=["'half'", "float, fixed, double"])

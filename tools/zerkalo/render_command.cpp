@@ -123,9 +123,6 @@ void check_refinement(const RenderOptions& options, bool samples_given) {
     const auto refuse = [](const std::string& text) { throw Failure(ExitCode::usage, text); };
     if (options.error && options.time_ms) refuse("--error and --time both say when to stop; choose one");
     if (samples_given) refuse(option + " chooses the samples itself; leave --samples out");
-    if (options.settings.edge_antialias > 0) {
-        refuse(option + " takes the same camera rays for all pixels: --antialias N, not auto");
-    }
     if (options.time_ms && options.repeat > 1) refuse("--time takes the time it is given; leave --repeat out");
 }
 
