@@ -71,9 +71,10 @@ Status prepare(const Scene& scene, const Settings& settings, FixedPlan& plan);
 
 /// The same in double, for references: the samples of float to the last of its bits, rounded to float as pixels alone.
 Status prepare(const Scene& scene, const Settings& settings, DoublePlan& plan);
-/// Gives a prepared plan another pass: from now on it is, byte for byte, as prepare() with these samples and this
-/// rotation would have left it, for a thousandth of the work. No tile may be in work. Refuses what prepare() refuses,
-/// and the plan stays as it was.
+
+/// Gives a prepared plan another pass: from now on it renders, byte for byte, what prepare() with these samples, this
+/// rotation and these camera rays would have made it render, for a thousandth of the work. No tile may be in work.
+/// Refuses what prepare() refuses, and the plan stays as it was.
 Status begin_pass(Plan& plan, const Pass& pass);
 Status begin_pass(DoublePlan& plan, const Pass& pass);
 Status begin_pass(FixedPlan& plan, const Pass& pass);

@@ -27,7 +27,7 @@ Scene mirrors_and_ball() {
     return scene;
 }
 
-constexpr Pass kPasses[] = {{1, 0}, {4, 1}, {16, 0}, {100, 7}, {5000, 3}};
+constexpr Pass kPasses[] = {{1, 0}, {4, 1}, {16, 0}, {3, 2, false, 5}, {100, 7}, {5000, 3, false, 1}};
 
 // Every float of a picture, by the general and by the one-bounce kernel, and in fixed point.
 template <class P>
@@ -43,9 +43,12 @@ template <class P>
 void expect_as_prepared(const Scene& scene, const Pass& first, const Pass& then,
                         Estimator estimator = Estimator::fibonacci) {
     const auto prepared = std::make_unique<P>(), given = std::make_unique<P>();
+    const auto camera_rays = [](const Pass& pass) { return pass.antialias > 0 ? pass.antialias : 1; };
     Settings settings{.samples = then.samples, .rotation = then.rotation, .estimator = estimator};
+    // A pass without a number of its own has that of the pass before.
+    settings.antialias = then.antialias > 0 ? then.antialias : camera_rays(first);
     ASSERT_TRUE(prepare(scene, settings, *prepared).ok());
-    settings.samples = first.samples, settings.rotation = first.rotation;
+    settings.samples = first.samples, settings.rotation = first.rotation, settings.antialias = camera_rays(first);
     ASSERT_TRUE(prepare(scene, settings, *given).ok());
     ASSERT_TRUE(begin_pass(*given, then).ok());
     RayCounts one, other;
