@@ -14,7 +14,7 @@ inline int gain_of(const PlanHead& plan, bool told_by_passes) {
     if (!told_by_passes) return 12;
     // Rays between unpolished mirrors go on at random, one for each.
     if (plan.mirror_count > 1) return 10;
-    const int of_rule = rule == Estimator::jittered ? 10 : is_keyed(rule) ? 11 : 12;
+    const int of_rule = is_keyed(rule) ? 11 : 12;
     // Rays off normals that the viewer sees lie less evenly.
     return plan.features & kFeatureGgx ? of_rule - 1 : of_rule;
 }

@@ -89,6 +89,37 @@ TEST(Progressive, TheEstimateIsWithinAFactorOfThreeHalvesInNineteenOfTwenty) {
     EXPECT_LE(off * 20, pictures) << off << " of " << pictures;
 }
 
+// The same for the other rules whose parts tell the error, but for r2 on a ggx lobe (core/render/README.md).
+TEST(Progressive, TheEstimateHoldsForEveryRuleWhosePartsTell) {
+    constexpr int kLargeWidth = 80, kLargeHeight = 60;
+    int pictures = 0, off = 0;
+    for_unpolished([&](const std::string& name, const Scene& scene) {
+        const bool ggx = name == "ggx-mirror";
+        for (const Estimator rule : {Estimator::random, Estimator::r2, Estimator::fibonacci_coverage}) {
+            if (ggx && rule != Estimator::random) continue;
+            for (const double error : {0.006, 0.002, 0.0007}) {
+                for (const std::int32_t rotation : {0, 31}) {
+                    Settings settings = of_size(kLargeWidth, kLargeHeight);
+                    settings.estimator = rule, settings.rotation = rotation;
+                    Passes work(scene, settings);
+                    ASSERT_TRUE(work.tells());
+                    const double estimate = work.refine(error);
+                    const double truth = distance(work.picture(), limit_of(name, kLargeWidth, kLargeHeight));
+                    const bool good = truth < 1.5 * estimate && estimate < 1.5 * truth;
+                    ++pictures;
+                    if (!good) {
+                        ++off;
+                        std::printf("%s, %s: asked %g, estimated %g, true %g\n", name.c_str(), name_of(rule), error,
+                                    estimate, truth);
+                    }
+                    EXPECT_LE(estimate, error) << name << ", " << name_of(rule);
+                }
+            }
+        }
+    });
+    EXPECT_LE(off * 20, pictures) << off << " of " << pictures;
+}
+
 // A tile of which few rays agree by luck still gets its share: none has fewer than the floor, and asking for less and
 // less error brings every tile with lobe rays beyond it.
 TEST(Progressive, NoTileStopsAtTheFloorForGood) {
