@@ -50,8 +50,10 @@ std::uint64_t edge_pixels(const LinearImage& image, const Rect& tile) {
             const std::uint32_t sideways = pairs_apart(first, first + 3, tile.width - 1 + before + after);
             of_row |= sideways >> before | (before ? sideways : sideways << 1);
         }
-        const float* next = image.row(tile.top + y + 1) + 3 * tile.left;
-        upwards = y + 1 < tile.height + below ? pairs_apart(row, next, tile.width) : 0;
+        upwards = 0;
+        if (y + 1 < tile.height + below) {
+            upwards = pairs_apart(row, image.row(tile.top + y + 1) + 3 * tile.left, tile.width);
+        }
         if (y >= 0) edges |= std::uint64_t{(of_row | upwards) & inside} << (y * kTileSide);
     }
     return edges;

@@ -115,8 +115,7 @@ void add_pass(const PlanOf<F>& plan, const PassKernel<F>& kernel, int tile, cons
 }
 
 /// Estimated root of the mean square over all pixels and channels of (picture so far - limit of infinitely many
-/// samples at the same camera rays); infinite before the survey of every tile is
-/// complete. Linear light.
+/// samples at the same camera rays); infinite before the survey of every tile is complete. Linear light.
 double estimated_error(const PlanHead& plan, const Accumulator& accumulator);
 
 /// The same of one tile.
