@@ -108,8 +108,10 @@ double mix_replica(const PlanHead& plan, const Accumulator& accumulator, const R
 
 }  // namespace
 
-bool parts_tell_error(Estimator estimator) {
-    return estimator != Estimator::jittered && estimator != Estimator::sobol;
+bool parts_tell_error(const PlanHead& plan) {
+    const Estimator rule = plan.sampling.estimator;
+    const bool unlike_its_table = rule == Estimator::r2 && (plan.features & kFeatureGgx) != 0;
+    return rule != Estimator::jittered && rule != Estimator::sobol && !unlike_its_table;
 }
 
 void keep_tile(const PlanHead& plan, const Accumulator& accumulator, int tile, TileBefore& before) {

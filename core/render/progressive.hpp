@@ -31,9 +31,10 @@ constexpr int kLadderSteps = 24;                       // and so many sizes a pa
 constexpr std::int32_t kReplicas = 4;                  // passes of a survey where one alone tells nothing of its error
 constexpr std::int32_t kReplicaSamples = 2;            // and the lobe rays of each
 
-/// Whether the parts of a rule's lobe rays tell the error of the whole. Not where every fourth point is far from an
-/// even set, `jittered` and `sobol`: there only whole passes do, each with a rotation of its own.
-bool parts_tell_error(Estimator estimator);
+/// Whether the parts of the plan's lobe rays tell the error of the whole. Not where every fourth point is far from an
+/// even set, `jittered` and `sobol`, nor those of `r2` on a ggx mirror: there only whole passes do, each with a rotation
+/// of its own.
+bool parts_tell_error(const PlanHead& plan);
 
 /// Samples of the passes after the survey: 4, 8, 12, 16, 24, 32, 48, ... kMostSamples.
 std::int32_t samples_of_step(int step);
@@ -87,7 +88,7 @@ template <class F>
 PassKernel<F> pass_kernel_for(const PlanOf<F>& plan, Isa isa) {
     PassKernel<F> kernel{kernel_for(plan, isa), nullptr};
     if constexpr (std::is_same_v<F, FloatFormats>) {
-        if (parts_tell_error(plan.sampling.estimator)) kernel.spread = spread_kernel_for(plan, isa);
+        if (parts_tell_error(plan)) kernel.spread = spread_kernel_for(plan, isa);
     }
     return kernel;
 }

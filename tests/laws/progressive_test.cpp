@@ -96,13 +96,14 @@ TEST(Progressive, TheEstimateHoldsForEveryRuleWhosePartsTell) {
     for_unpolished([&](const std::string& name, const Scene& scene) {
         const bool ggx = name == "ggx-mirror";
         for (const Estimator rule : {Estimator::random, Estimator::r2, Estimator::fibonacci_coverage}) {
-            if (ggx && rule != Estimator::random) continue;
+            if (ggx && rule == Estimator::fibonacci_coverage) continue;  // refused
             for (const double error : {0.006, 0.002, 0.0007}) {
                 for (const std::int32_t rotation : {0, 31}) {
                     Settings settings = of_size(kLargeWidth, kLargeHeight);
                     settings.estimator = rule, settings.rotation = rotation;
                     Passes work(scene, settings);
-                    ASSERT_TRUE(work.tells());
+                    // On ggx the parts of r2 would not tell: passes do.
+                    ASSERT_EQ(work.tells(), !(ggx && rule == Estimator::r2));
                     const double estimate = work.refine(error);
                     const double truth = distance(work.picture(), limit_of(name, kLargeWidth, kLargeHeight));
                     const bool good = truth < 1.5 * estimate && estimate < 1.5 * truth;
