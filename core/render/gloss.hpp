@@ -57,6 +57,34 @@ struct LobeAids {
     GlossParts parts;        // in the spread
 };
 
+/// Adds the weights of a chunk's rays to their sum, and each to that of its part.
+template <class R>
+ZERKALO_INLINE void add_weights(GlossQueue& queue, GlossParts::OfClasses& parts, int c, std::int32_t at,
+                                const NormalInFrame<R>& n, const LatticeChunk& chunk, R inverse_cosine) {
+    R sum = load<R>(queue.weight + at), of_part[kSpreadParts];
+    for (int part = 0; part < kSpreadParts; ++part) of_part[part] = load<R>(parts[c][part] + at);
+    // The rays are a multiple of the parts.
+    for (std::int32_t s = 0; s < chunk.count; s += kSpreadParts) {
+        for (int part = 0; part < kSpreadParts; ++part) {
+            const R weight = lobe_weight(ray_cosine(n, chunk, s + part), inverse_cosine);
+            sum = sum + weight;
+            of_part[part] = of_part[part] + weight;
+        }
+    }
+    store(queue.weight + at, sum);
+    for (int part = 0; part < kSpreadParts; ++part) store(parts[c][part] + at, of_part[part]);
+}
+/// Their sum alone.
+template <class R>
+ZERKALO_INLINE void add_weights(GlossQueue& queue, std::int32_t at, const NormalInFrame<R>& n,
+                                const LatticeChunk& chunk, R inverse_cosine) {
+    R sum = load<R>(queue.weight + at);
+    for (std::int32_t s = 0; s < chunk.count; ++s) {
+        sum = sum + lobe_weight(ray_cosine(n, chunk, s), inverse_cosine);
+    }
+    store(queue.weight + at, sum);
+}
+
 /// The lobe rays of packet i of a group, number `at` and on in the queue of class c, for one chunk of the lattice: adds
 /// to the queue's sums.
 template <class R, class Aids>
@@ -77,15 +105,12 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
     const R inverse_cosine = R(1) / n.forward;
     if (weighted) {
         // The mean weight counts all rays, also those that meet nothing.
-        R weight_sum = load<R>(queue.weight + at);
-        for (std::int32_t s = 0; s < chunk.count; ++s) {
-            const R weight = lobe_weight(ray_cosine(n, chunk, s), inverse_cosine);
-            weight_sum = weight_sum + weight;
-            if constexpr (Aids::kAided) {
-                if (aids.spread != nullptr) add_to((*aids.parts.weight)[c][s % kSpreadParts] + at, weight);
-            }
+        bool told = false;
+        if constexpr (Aids::kAided) {
+            told = aids.spread != nullptr;
+            if (told) add_weights(queue, *aids.parts.weight, c, at, n, chunk, inverse_cosine);
         }
-        store(queue.weight + at, weight_sum);
+        if (!told) add_weights(queue, at, n, chunk, inverse_cosine);
     }
 
     const Rgb<R> background = spread<R>(plan.background), none_yet = spread<R>(Rgb<float>{0, 0, 0});

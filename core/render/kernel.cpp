@@ -35,19 +35,19 @@ void general(const Plan& plan, const Tile& tile, const LinearImage& image, RayCo
 // The same with the spread; where no lobe is there is none.
 void sharp_with_spread(const Plan& plan, const Tile& tile, const LinearImage& image, RayCounts& counts,
                        TileSpread& spread) {
-    spread = {};
+    clear(spread);
     sharp(plan, tile, image, counts);
 }
 void lobe_with_spread(const Plan& plan, const Tile& tile, const LinearImage& image, RayCounts& counts,
                       TileSpread& spread) {
     const IeeeMode ieee;
-    spread = {};
+    clear(spread);
     render_tile_aided<R, G>(plan, tile, image, counts, &spread);
 }
 void general_with_spread(const Plan& plan, const Tile& tile, const LinearImage& image, RayCounts& counts,
                          TileSpread& spread) {
     const IeeeMode ieee;
-    spread = {};
+    clear(spread);
     render_tile_general<G>(plan, tile, image, counts, &spread);
 }
 

@@ -37,7 +37,12 @@ constexpr std::int32_t kReplicaSamples = 2;            // and the lobe rays of e
 bool parts_tell_error(const PlanHead& plan);
 
 /// Samples of the passes after the survey: 4, 8, 12, 16, 24, 32, 48, ... kMostSamples.
-std::int32_t samples_of_step(int step);
+constexpr std::int32_t samples_of_step(int step) {
+    // From 8 on every step but the last of an octave is half of the octave.
+    if (step == 0) return kFirstSamples;
+    const std::int32_t octave = (2 * kFirstSamples) << ((step - 1) / 2);
+    return step % 2 == 1 ? octave : octave + octave / 2;
+}
 
 /// What is known of a tile. All zero before its first pass.
 struct TileProgress {

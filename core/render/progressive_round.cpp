@@ -14,6 +14,16 @@ constexpr double kLargestStep = 16;     // times the samples so far: an estimate
 constexpr double kMargin = 0.95;         // of the variance asked for: the next estimate is not exactly the expected one
 constexpr int kBisections = 12;         // of a range of speeds, by their logarithm
 
+/// The samples of each step.
+struct Ladder {
+    std::int32_t samples[kLadderSteps];
+};
+constexpr Ladder kLadder = [] {
+    Ladder ladder{};
+    for (int step = 0; step < kLadderSteps; ++step) ladder.samples[step] = samples_of_step(step);
+    return ladder;
+}();
+
 /// What a round is planned by.
 struct Outlook {
     double weights[kLadderSteps];
@@ -69,7 +79,7 @@ int step_for(const Outlook& outlook, const TileProgress& tile, double speed) {
     const double most = kLargestStep * double(tile.samples);
     int step = 0;
     while (step + 1 < kLadderSteps && outlook.weights[step] < wanted - tile.weight &&
-           samples_of_step(step + 1) <= most) {
+           kLadder.samples[step + 1] <= most) {
         ++step;
     }
     // The nearer of two: what one tile gets too little another one gets too much.
@@ -94,7 +104,7 @@ Forecast forecast(const PlanHead& plan, const Accumulator& accumulator, const Ou
         }
         const double then = unit_variance(outlook, tile) / (tile.weight + outlook.weights[step]);
         sum.variance += then < tile.variance ? then : tile.variance;
-        sum.lobe_rays += tile.hits * samples_of_step(step);
+        sum.lobe_rays += tile.hits * kLadder.samples[step];
     }
     return sum;
 }
@@ -121,13 +131,6 @@ bool give_passes(const PlanHead& plan, const Accumulator& accumulator, const Eno
 }
 
 }  // namespace
-
-std::int32_t samples_of_step(int step) {
-    // 4, 8, 12, 16, 24, 32, 48, ...: from 8 on every step but the last of an octave is half of the octave.
-    if (step == 0) return kFirstSamples;
-    const std::int32_t octave = (2 * kFirstSamples) << ((step - 1) / 2);
-    return step % 2 == 1 ? octave : octave + octave / 2;
-}
 
 bool plan_round(const PlanHead& plan, const Accumulator& accumulator, double error) {
     const IeeeMode ieee;

@@ -37,6 +37,11 @@ ZERKALO_INLINE R variance_of(const PartSums<R>& sums) {
     return squares * R(float(kSpreadParts) / float(kSpreadParts - 1));
 }
 
+/// Before the first camera ray. The working memory is cleared where it is used.
+ZERKALO_INLINE void clear(TileSpread& spread) {
+    for (float& variance : spread.variance) variance = 0;
+}
+
 /// The average over camera rays, whose lobes are placed independently.
 ZERKALO_INLINE void average(TileSpread& spread, std::int32_t antialias) {
     if (antialias == 1) return;

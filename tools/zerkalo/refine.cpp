@@ -55,10 +55,11 @@ public:
     void round() {
         const std::int32_t rotation = next_rotation();
         std::vector<int> of_step[kLadderSteps];
-        for (int step = 0; step < kLadderSteps; ++step) {
-            for (std::size_t i = 0; i < tiles_.size(); ++i) {
-                if (tiles_[i].next == samples_of_step(step)) of_step[step].push_back(static_cast<int>(i));
-            }
+        for (std::size_t i = 0; i < tiles_.size(); ++i) {
+            if (tiles_[i].next == 0) continue;
+            int step = 0;
+            while (tiles_[i].next != samples_of_step(step)) ++step;
+            of_step[step].push_back(static_cast<int>(i));
         }
         for (int step = 0; step < kLadderSteps; ++step) {
             if (!of_step[step].empty()) run({samples_of_step(step), rotation}, of_step[step], true);
