@@ -50,12 +50,7 @@ ZERKALO_INLINE Pixels<R> load_places(const LanePlaces& places, int first) {
     }
 }
 
-/// Pixel coordinates of kWidth<R> neighbours of a tile, row-major from its pixel `first`, a multiple of the width.
-template <class R>
-struct PixelLanes {
-    Pixels<R> x, y;
-};
-
+/// Columns and rows of kWidth<R> neighbours of a tile, row-major from its pixel `first`, a multiple of the width.
 template <class R>
 ZERKALO_INLINE Pixels<R> column_lanes(const Rect& tile, int first) {
     return load_places<R>(kColumns, first % kTileSide) + pixels_of<R>(tile.left);
@@ -65,10 +60,6 @@ ZERKALO_INLINE Pixels<R> row_lanes(const Rect& tile, int first) {
     const Pixels<R> row = pixels_of<R>(tile.top + first / kTileSide);
     if constexpr (kWidth<R> <= kTileSide) return row;
     return row + load_places<R>(kRows, 0);
-}
-template <class R>
-ZERKALO_INLINE PixelLanes<R> pixel_lanes(const Rect& tile, int first) {
-    return {column_lanes<R>(tile, first), row_lanes<R>(tile, first)};
 }
 
 /// Lanes whose pixel is one of the tile's.
