@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 root=$PWD
 [ -r "$scene" ] || { echo "error: there is no scene $scene to read; try one of $root/firmware/scenes/" >&2; exit 1; }
 
-tools/install_packages.sh g++ cmake ninja-build libxsimd-dev libtomlplusplus-dev libcli11-dev libbenchmark-dev libpng-dev
+tools/install_packages.sh clang-14 cmake ninja-build libxsimd-dev libtomlplusplus-dev libcli11-dev libbenchmark-dev libpng-dev
 
 # A directory that was configured with its tests keeps them; a new one does not need GoogleTest.
 tests=OFF

@@ -1,6 +1,6 @@
 # The stiff and extreme cases with their naive twins: shown by zerkalo stability, asserted by tests/stiff.
 find_package(Threads REQUIRED)
-find_package(xsimd 8 REQUIRED)
+include(${PROJECT_SOURCE_DIR}/core/xsimd.cmake)
 add_library(zerkalo_stability STATIC
   stability/aimed_ray_rows.cpp
   stability/all_cases.cpp

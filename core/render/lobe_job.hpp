@@ -191,7 +191,8 @@ ZERKALO_INLINE Mask<R> cone_may_meet(const SolidPlanFor<R>& solid, const LobeFor
     const L along = as<L>(dot(f, m));
     const auto radius = as<Length<One>>(solid.bound_radius * lobe.cone.secant) + kRoom;
     const L reach = as<L>(along * lobe.cone.tangent) + L(radius);
-    return (reach >= L(0)) & (dot(f, f) - along * along <= reach * reach + Area<R>(kSquareRoom<R>));
+    const Mask<R> ahead = reach >= L(0), near = dot(f, f) - along * along <= reach * reach + Area<R>(kSquareRoom<R>);
+    return ahead & near;
 }
 
 /// Which lanes of `front` must send their lobe's rays, and what these can meet; the others see the background alone,
@@ -263,8 +264,9 @@ ZERKALO_INLINE CandidateMask solids_met(const LobeJob<R>& job, const LobePoint<R
     for (std::int32_t i = 0; i < job.target_count; ++i) {
         const LobeTarget<R>& target = job.targets[i];
         const auto along = as<Length<R>>(dot(target.centre, d));
-        const auto ahead = (along > Length<R>(0)) | (target.beyond <= Area<R>(0));
-        if (any(active & ahead & (along * along >= target.beyond))) met |= CandidateMask{1} << target.solid;
+        const Mask<R> ahead = along > Length<R>(0), around = target.beyond <= Area<R>(0);
+        const Mask<R> near = along * along >= target.beyond;
+        if (any(Mask<R>(active & (ahead | around) & near))) met |= CandidateMask{1} << target.solid;
     }
     return met;
 }

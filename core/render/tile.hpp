@@ -23,9 +23,9 @@ ZERKALO_INLINE CandidateMask overlapping(const PixelBoundsTable<n, UniformReal<R
     const R top = R(float(tile.top)), bottom = R(float(tile.top + tile.height));
     CandidateMask mask = 0;
     for (std::int32_t k = 0; k < count; k += kWidth<R>) {
-        const auto shared = (load<R>(bounds.left + k) < right) & (left < load<R>(bounds.right + k)) &
-                            (load<R>(bounds.top + k) < bottom) & (top < load<R>(bounds.bottom + k));
-        mask |= CandidateMask{bits_of(shared)} << k;
+        const Mask<R> begins_before = load<R>(bounds.left + k) < right, ends_after = left < load<R>(bounds.right + k);
+        const Mask<R> begins_above = load<R>(bounds.top + k) < bottom, ends_below = top < load<R>(bounds.bottom + k);
+        mask |= CandidateMask{bits_of(Mask<R>(begins_before & ends_after & begins_above & ends_below))} << k;
     }
     return mask & first_bits(count);
 }

@@ -1,17 +1,19 @@
-"""The call graph of a build with -fcallgraph-info=su: who calls whom, and how much stack each function takes.
+"""The call graph of a build: who calls whom, and how much stack each function takes.
 
-The compiler writes one .ci file an object, in the VCG language: nodes with "N bytes (static)" for functions defined
-there, without it for functions only declared; a call through a pointer goes to the node __indirect_call.
+With -fcallgraph-info=su GCC writes one .ci file an object, in the VCG language: nodes with "N bytes (static)" for
+functions defined there, without it for functions only declared; a call through a pointer goes to the node
+__indirect_call. Clang writes the stack alone, by -fstack-usage in an .su file: who calls whom is read from the machine
+code (machine_calls.py).
 """
 import re
-from pathlib import Path
 
+from machine_calls import INDIRECT, calls_of
 from objects import core_objects
+from verdict import output_of
 
 NODE = re.compile(r'^node: \{ title: "([^"]*)" label: "([^"]*)"')
 EDGE = re.compile(r'^edge: \{ sourcename: "([^"]*)" targetname: "([^"]*)"(?: label: "([^"]*)")?')
 STACK = re.compile(r"(\d+) bytes \(([\w,]+)\)")
-INDIRECT = "__indirect_call"
 
 
 class Function:
@@ -28,30 +30,43 @@ class Function:
 class CallGraph:
     """All functions below a build directory. A title is looked up in its own unit first, then among all units."""
 
-    def __init__(self, build, folder="core/CMakeFiles"):
+    def __init__(self, build, objdump="objdump"):
         self.by_unit, self.everywhere, self.units = {}, {}, 0
-        for path in sorted(Path(build).rglob("*.ci")):
-            if folder in str(path):
-                self._read(path, str(path).split(folder + "/", 1)[1][:-len(".ci")])
-        if not self.units:
-            raise SystemExit(f"{build}: holds no .ci file of the core; build it with g++ -fcallgraph-info=su")
-        compiled = len(core_objects(build))
-        if self.units != compiled:
-            raise SystemExit(f"{build}: {compiled} objects of the core, {self.units} .ci files; a compiler cache?")
+        for an_object in core_objects(build):
+            graph, stack = (an_object.path.with_suffix(suffix) for suffix in (".ci", ".su"))
+            unit = an_object.label[:-len(".o")]
+            if graph.exists():
+                self._read_graph(graph, unit)
+            elif stack.exists():
+                self._read_machine_code(objdump, an_object.path, stack, unit)
+            else:
+                raise SystemExit(f"{an_object.path}: no .ci or .su file beside it; build with -fstack-usage, by g++ "
+                                 "with -fcallgraph-info=su too (a compiler cache keeps no .ci file)")
+            self.units += 1
 
-    def _read(self, path, unit):
-        self.units += 1
-        for line in path.read_text(errors="replace").splitlines():
+    def _add(self, function):
+        self.by_unit[function.unit, function.title] = function
+        self.everywhere.setdefault(function.title, []).append(function)
+
+    def _read_graph(self, path, unit):
+        lines = path.read_text(errors="replace").splitlines()
+        for line in lines:
             node = NODE.match(line)
             if node and (stack := STACK.search(node.group(2))):
                 name = node.group(2).split("\\n")[0]
-                function = Function(unit, node.group(1), name, int(stack.group(1)), stack.group(2))
-                self.by_unit[unit, function.title] = function
-                self.everywhere.setdefault(function.title, []).append(function)
-        for line in path.read_text(errors="replace").splitlines():
+                self._add(Function(unit, node.group(1), name, int(stack.group(1)), stack.group(2)))
+        for line in lines:
             edge = EDGE.match(line)
             if edge and (unit, edge.group(1)) in self.by_unit:
                 self.by_unit[unit, edge.group(1)].calls.append((edge.group(2), edge.group(3) or "unknown place"))
+
+    def _read_machine_code(self, objdump, path, stack_file, unit):
+        functions = calls_of(objdump, path, stack_file)
+        names = output_of("c++filt", *[title for title, *_ in functions]).splitlines() if functions else []
+        for (title, stack, kind, calls), name in zip(functions, names):
+            function = Function(unit, title, name, stack, kind)
+            function.calls = calls
+            self._add(function)
 
     def functions(self):
         return list(self.by_unit.values())

@@ -1,6 +1,6 @@
 """Rules about the call graph of the core: no recursion, and a bound on the stack of every entry point.
 
-Usage: stack_rules.py recursion|depth BUILD [--limit BYTES] [--entries kernels|fixed|others]
+Usage: stack_rules.py recursion|depth BUILD [--limit BYTES] [--entries kernels|fixed|others] [--objdump FILE]
 """
 import argparse
 import sys
@@ -47,7 +47,7 @@ def kind_of(entry):
     """Which of the three an entry point is."""
     if not is_kernel(entry):
         return "others"
-    return "fixed" if "FixedPlan" in entry.name else "kernels"
+    return "fixed" if "kernel_fixed" in entry.unit else "kernels"
 
 
 def depth_violations(graph, limit, entries):
@@ -85,8 +85,9 @@ def main(arguments):
     parser.add_argument("build")
     parser.add_argument("--limit", type=int, default=24 * 1024)
     parser.add_argument("--entries", choices=("kernels", "fixed", "others"))
+    parser.add_argument("--objdump", default="objdump")
     given = parser.parse_args(arguments)
-    graph = CallGraph(given.build)
+    graph = CallGraph(given.build, given.objdump)
     law, rule = RULES[given.rule]
     found, table = rule(graph, given.limit, given.entries)
     print("\n".join(table))
