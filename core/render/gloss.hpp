@@ -96,7 +96,9 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
     const LobeFrame<R>& frame = frames.frame[i];
     LobeAim<R> aim;
     aim_packet(aim, group_aim, plan, frames, i, active);
-    counts.lobe += count_of(active) * static_cast<std::uint32_t>(chunk.count);
+    const std::uint32_t sending = count_of(Mask<R>(active & group_aim.meets[i]));
+    counts.lobe += sending * static_cast<std::uint32_t>(chunk.count);
+    counts.weighed += (count_of(active) - sending) * static_cast<std::uint32_t>(chunk.count);
     const bool weighted = mirror.lobe.max_phong;
     const Vec3<R> normal = spread<R>(mirror.shape.n);
     NormalInFrame<R> n{dot(frame.m, normal), R(0), R(0)};

@@ -20,6 +20,7 @@ template <class R>
 struct GroupAim {
     GroupCandidate<R> candidates[kMaxSolids];
     std::int32_t count;
+    Mask<R> meets[kGroupPackets<R>];  // lanes whose lobe may meet any solid; the others send no ray
 };
 
 template <class R>
@@ -80,6 +81,7 @@ template <class R>
 ZERKALO_ONCE void aim_group(GroupAim<R>& aim, const Plan& plan, const LobeData& lobe, CandidateMask solids,
                               const LatticeChunk& chunk, const GroupFrames<R>& frames) {
     aim.count = 0;
+    for (std::int32_t i = 0; i < frames.packets; ++i) aim.meets[i] = Mask<R>(plan.exact_plan != 0);
     const LobePilot pilot = pilot_of(frames);
     for (CandidateMask left = solids; left != 0; left &= left - 1) {
         const int k = first_of(left);
@@ -93,6 +95,7 @@ ZERKALO_ONCE void aim_group(GroupAim<R>& aim, const Plan& plan, const LobeData& 
             if (plan.exact_plan) continue;
             candidate.allowed[i] = lobe_may_meet(solid, lobe, frames.p[i], frames.frame[i].m);
             some = some | candidate.allowed[i];
+            aim.meets[i] = aim.meets[i] | candidate.allowed[i];
         }
         if (none(some)) continue;
         if (!plan.exact_plan) candidate.reach = reach_of_chunk(plan, solid, chunk, pilot, frames);

@@ -120,6 +120,7 @@ ZERKALO_INLINE void finish_tile(TileColours& colours, const TileCounts& tile_cou
     counts.reflected += tile_counts.reflected;
     counts.lobe += tile_counts.lobe;
     counts.shadow += tile_counts.shadow;
+    counts.weighed += tile_counts.weighed;
     counts.covered += tile_counts.covered;
     counts.sampled += tile_counts.sampled;
 }

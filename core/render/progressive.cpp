@@ -65,10 +65,10 @@ double mix_variance(const PlanHead& plan, const Accumulator& accumulator, const 
 }
 
 /// The new pass's weight in the mean of all, which it counts for from now on.
-double take_in(const PlanHead& plan, TileProgress& tile, std::uint64_t lobe_rays, bool told_by_passes) {
+double take_in(const PlanHead& plan, TileProgress& tile, std::uint64_t lobe_samples, bool told_by_passes) {
     const double weight = weight_of(plan.samples, gain_of(plan, told_by_passes));
     const double share = weight / (tile.weight + weight);
-    if (tile.passes == 0) tile.hits = double(lobe_rays) / plan.samples;
+    if (tile.passes == 0) tile.hits = double(lobe_samples) / plan.samples;
     tile.weight += weight;
     tile.samples += plan.samples;
     ++tile.passes;
@@ -123,11 +123,11 @@ void keep_tile(const PlanHead& plan, const Accumulator& accumulator, int tile, T
 }
 
 void mix_tile(const PlanHead& plan, const Accumulator& accumulator, int tile, const TileBefore& before,
-              const TileSpread& spread, std::uint64_t lobe_rays) {
+              const TileSpread& spread, std::uint64_t lobe_samples) {
     const IeeeMode ieee;
     const Rect rect = tile_at(plan, tile);
     TileProgress& progress = accumulator.tiles[tile];
-    const double share = take_in(plan, progress, lobe_rays, false);
+    const double share = take_in(plan, progress, lobe_samples, false);
     const bool first = progress.passes == 1;
     if (first && progress.hits == 0) return;
     if (!first) mix(accumulator.picture, rect, before.values, share);
@@ -136,10 +136,10 @@ void mix_tile(const PlanHead& plan, const Accumulator& accumulator, int tile, co
 }
 
 void mix_tile(const PlanHead& plan, const Accumulator& accumulator, int tile, const TileBefore& before,
-              std::uint64_t lobe_rays) {
+              std::uint64_t lobe_samples) {
     const IeeeMode ieee;
     TileProgress& progress = accumulator.tiles[tile];
-    const double share = take_in(plan, progress, lobe_rays, true);
+    const double share = take_in(plan, progress, lobe_samples, true);
     if (progress.hits == 0) return;
     if (progress.passes > 1) {
         progress.deviations += mix_replica(plan, accumulator, tile_at(plan, tile), before.values, progress, share);

@@ -74,9 +74,9 @@ void keep_tile(const PlanHead& plan, const Accumulator& accumulator, int tile, T
 /// From the new pass in the picture, which took so many lobe rays, to the mean of all passes. It tells its own error,
 /// or is told by the others: then the tile's `next` is set until there are kReplicas.
 void mix_tile(const PlanHead& plan, const Accumulator& accumulator, int tile, const TileBefore& before,
-              const TileSpread& spread, std::uint64_t lobe_rays);
+              const TileSpread& spread, std::uint64_t lobe_samples);
 void mix_tile(const PlanHead& plan, const Accumulator& accumulator, int tile, const TileBefore& before,
-              std::uint64_t lobe_rays);
+              std::uint64_t lobe_samples);
 
 /// What renders the tiles of the passes over a plan: all of them by one of these.
 template <class F>
@@ -107,17 +107,17 @@ void add_pass(const PlanOf<F>& plan, const PassKernel<F>& kernel, int tile, cons
               RayCounts& counts) {
     TileBefore before;
     keep_tile(plan, accumulator, tile, before);
-    const std::uint64_t lobe_before = counts.lobe;
+    const std::uint64_t samples_before = lobe_samples_of(counts);
     if constexpr (std::is_same_v<F, FloatFormats>) {
         if (kernel.spread) {
             TileSpread spread;
             kernel.spread(plan, tile_at(plan, tile), accumulator.picture, counts, spread);
-            mix_tile(plan, accumulator, tile, before, spread, counts.lobe - lobe_before);
+            mix_tile(plan, accumulator, tile, before, spread, lobe_samples_of(counts) - samples_before);
             return;
         }
     }
     kernel.tile(plan, tile_at(plan, tile), accumulator.picture, counts);
-    mix_tile(plan, accumulator, tile, before, counts.lobe - lobe_before);
+    mix_tile(plan, accumulator, tile, before, lobe_samples_of(counts) - samples_before);
 }
 
 /// Estimated root of the mean square over all pixels and channels of (picture so far - limit of infinitely many
@@ -132,8 +132,8 @@ double estimated_error(const PlanHead& plan, const Accumulator& accumulator, int
 /// both: the survey is complete.
 bool plan_round(const PlanHead& plan, const Accumulator& accumulator, double error);
 
-/// Sets `next` of every tile, so that the round shoots about `lobe_rays`, where they lower the error the most.
-/// Returns false, and nobody gets a pass, where no tile needs lobe rays or all have had kMostSamples.
-bool plan_round_of(const PlanHead& plan, const Accumulator& accumulator, double lobe_rays);
+/// Sets `next` of every tile, so that the round takes about `lobe_samples` (lobe_samples_of), where they lower the error
+/// the most. Returns false, and nobody gets a pass, where no tile needs lobe rays or all have had kMostSamples.
+bool plan_round_of(const PlanHead& plan, const Accumulator& accumulator, double lobe_samples);
 
 }  // namespace zerkalo

@@ -89,7 +89,7 @@ int step_for(const Outlook& outlook, const TileProgress& tile, double speed) {
 
 /// What a round at some speed would come to.
 struct Forecast {
-    double variance = 0, lobe_rays = 0;
+    double variance = 0, lobe_samples = 0;
 };
 
 Forecast forecast(const PlanHead& plan, const Accumulator& accumulator, const Outlook& outlook, double speed) {
@@ -104,7 +104,7 @@ Forecast forecast(const PlanHead& plan, const Accumulator& accumulator, const Ou
         }
         const double then = unit_variance(outlook, tile) / (tile.weight + outlook.weights[step]);
         sum.variance += then < tile.variance ? then : tile.variance;
-        sum.lobe_rays += tile.hits * kLadder.samples[step];
+        sum.lobe_samples += tile.hits * kLadder.samples[step];
     }
     return sum;
 }
@@ -138,9 +138,9 @@ bool plan_round(const PlanHead& plan, const Accumulator& accumulator, double err
     return give_passes(plan, accumulator, [&](const Forecast& then) { return then.variance <= variance; });
 }
 
-bool plan_round_of(const PlanHead& plan, const Accumulator& accumulator, double lobe_rays) {
+bool plan_round_of(const PlanHead& plan, const Accumulator& accumulator, double lobe_samples) {
     const IeeeMode ieee;
-    return give_passes(plan, accumulator, [&](const Forecast& then) { return then.lobe_rays >= lobe_rays; });
+    return give_passes(plan, accumulator, [&](const Forecast& then) { return then.lobe_samples >= lobe_samples; });
 }
 
 }  // namespace zerkalo

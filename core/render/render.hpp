@@ -36,10 +36,15 @@ Isa best_isa();
 /// Rays by kind, exact counts, the same for every ISA, thread count and tile order.
 struct RayCounts {
     std::uint64_t primary = 0, reflected = 0, lobe = 0, refracted = 0, shadow = 0;
+    // Lobe rays that are not sent, for they can meet nothing, and of which the background counts, each by its weight.
+    std::uint64_t weighed = 0;
     // Of the estimator fibonacci+coverage, lobes instead of rays: those in which solids are covered, and those that may
     // meet a solid which is left to plain rays (hidden in part by another, or without an outline). Some are both.
     std::uint64_t covered = 0, sampled = 0;
 };
+
+/// Places in lobes that were looked at, by a ray or by its weight alone.
+constexpr std::uint64_t lobe_samples_of(const RayCounts& rays) { return rays.lobe + rays.weighed; }
 
 /// Renders one tile of the plan's picture into `image` (whole picture, plan.width x plan.height); adds to `counts`.
 /// Touches no pixel but the tile's. A pure function of the plan: same bytes for any order, thread or ISA.

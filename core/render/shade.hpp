@@ -8,7 +8,7 @@ namespace zerkalo::inline ZERKALO_ISA {
 /// Lanes counted by kind, added to RayCounts when a tile is done.
 struct TileCounts {
     std::uint32_t reflected = 0, lobe = 0, refracted = 0, shadow = 0;
-    std::uint32_t covered = 0, sampled = 0;  // pixels: see RayCounts
+    std::uint32_t weighed = 0, covered = 0, sampled = 0;  // see RayCounts
 };
 
 /// Where a packet is lit: points, normals towards the viewer, the rays that came, who stands there.

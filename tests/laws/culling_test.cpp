@@ -66,6 +66,24 @@ TEST(Culling, ChangesNoByteOfAnUnpolishedMirrorUpTo1024Samples) {
     }
 }
 
+TEST(Culling, LobesThatCanMeetNothingSendNoRayWhateverTheirRaysWeigh) {
+    int scenes_with_such = 0;
+    for (const auto& [name, shipped] : shipped_scenes()) {
+        if (shipped.mirrors[0].lobe == Lobe::ggx) continue;
+        Scene scene = shipped;
+        const Settings settings = of_size(64, 48);
+        scene.mirrors[0].lobe = Lobe::max_phong;
+        const RayCounts weighted = render(scene, settings).rays, all = with_exact_plan(scene, settings).rays;
+        scene.mirrors[0].lobe = Lobe::phong;
+        const RayCounts plain = render(scene, settings).rays;
+        EXPECT_EQ(weighted.lobe, plain.lobe) << name;
+        EXPECT_EQ(lobe_samples_of(weighted), lobe_samples_of(all)) << name;
+        EXPECT_EQ(all.weighed, 0u) << name;
+        scenes_with_such += weighted.weighed > 0;
+    }
+    EXPECT_GE(scenes_with_such, 5);
+}
+
 TEST(Culling, ChangesNoByteWhereSolidsAreCovered) {
     for (const auto& [name, scene] : shipped_scenes()) {
         if (scene.mirrors[0].lobe == Lobe::ggx) continue;  // has no coverage

@@ -121,6 +121,7 @@ RayCounts& operator+=(RayCounts& sum, const RayCounts& more) {
     sum.lobe += more.lobe;
     sum.refracted += more.refracted;
     sum.shadow += more.shadow;
+    sum.weighed += more.weighed;
     sum.covered += more.covered;
     sum.sampled += more.sampled;
     return sum;

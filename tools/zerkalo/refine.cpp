@@ -160,8 +160,8 @@ Refined in_time(Refinement<AnyPlan>& work, Clock::duration time) {
     work.end_at(deadline - std::chrono::duration_cast<Clock::duration>(
                                std::chrono::duration<double>(work.seconds_of_edges())));
     while (!work.out_of_time()) {
-        const double lobe_rays = static_cast<double>(work.rays().lobe), rate = lobe_rays / work.seconds();
-        const double affordable = std::min(kGrowth * lobe_rays, rate * work.seconds_left());
+        const double samples = static_cast<double>(lobe_samples_of(work.rays())), rate = samples / work.seconds();
+        const double affordable = std::min(kGrowth * samples, rate * work.seconds_left());
         if (!plan_round_of(work.plan(), work.accumulator(), affordable)) break;
         work.round();
     }
