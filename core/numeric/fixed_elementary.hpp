@@ -56,7 +56,8 @@ constexpr LogStops kLogStops = log_stops();
 ZERKALO_INLINE constexpr std::int64_t minus_log2_of(std::int64_t y) {
     if (y >= kOne60) return 0;
     const int zeros = leading_zeros(static_cast<std::uint64_t>(y));
-    const std::uint64_t m = checked_shift(static_cast<std::uint64_t>(y), zeros, "log2");  // y = m / 2^63 * 2^(3 - zeros), 1 <= m / 2^63 < 2
+    // y = m / 2^63 * 2^(3 - zeros), 1 <= m / 2^63 < 2.
+    const std::uint64_t m = checked_shift(static_cast<std::uint64_t>(y), zeros, "log2");
     // v = m / 2^63 or half of it, in sqrt(1/2) .. sqrt(2); the nearest stop k / 64; d = (64 v - k) 2^58.
     const bool halved = m >= 0xb504f333f9de6484u;
     const int wide = halved ? 58 : 57;

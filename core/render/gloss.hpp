@@ -9,8 +9,9 @@
 //     I = background W + sum over f of (c_f - background) coverage_f
 //         + (1/N) sum over i of  w_i (L_i - background) - sum over all f that ray i meets of (c_f - background)
 //
-// so that only what differs from the shades is left to the rays. Pixels that do need rays wait in a queue, so that packets are full; the lattice's first points are in the plan. Source
-// of max-Phong: Neumann, Neumann, Szirmay-Kalos, "Compact Metallic Reflectance Models", CGF 18(3), 1999.
+// so that only what differs from the shades is left to the rays. Pixels that do need rays wait in a queue, so that
+// packets are full; the lattice's first points are in the plan. Source of max-Phong: Neumann, Neumann, Szirmay-Kalos,
+// "Compact Metallic Reflectance Models", CGF 18(3), 1999.
 #pragma once
 
 #include "core/render/cover_grid.hpp"

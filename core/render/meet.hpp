@@ -1,6 +1,7 @@
 // One solid met by one packet of rays: the closed list of shapes and the two kinds of origin.
 //
-// A shared origin (camera, light) has its terms in the plan (SharedOrigin); a varying one (a mirror point) computes them per lane.
+// A shared origin (camera, light) has its terms in the plan (SharedOrigin); a varying one (a mirror point) computes them
+// per lane.
 // The bits are the same either way: hoisting moves an operation, it never changes one.
 #pragma once
 

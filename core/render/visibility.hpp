@@ -58,7 +58,8 @@ ZERKALO_INLINE Nearest<R> nearest_solid(const Plan& plan, CandidateMask candidat
 
 /// Takes away the lanes from which solid k hides a light: the span from the light lies between it and the point.
 template <class R>
-ZERKALO_INLINE void hide_by_solid(Mask<R>& visible, const Plan& plan, const LightPlan& light, int k, const ToLight<R>& to, R own_id) {
+ZERKALO_INLINE void hide_by_solid(Mask<R>& visible, const Plan& plan, const LightPlan& light, int k,
+                                  const ToLight<R>& to, R own_id) {
     with_span<Faces::none, R>(plan, k, light.origin, -to.l,
                            [&](const Span<FloatNumbers<R>>& span) ZERKALO_INLINE_LAMBDA {
                                const auto hidden = (span.entry > R(0)) & (span.entry < to.distance) &
@@ -77,8 +78,8 @@ ZERKALO_INLINE bool may_shade(const SharedBound& bound, const ToLight<R>& to, Ma
 
 /// Lanes of `lit` that see the light. `own_id`: the solid or mirror that each lane stands on.
 template <class R>
-ZERKALO_INLINE Mask<R> visible_from_outside(const Plan& plan, const LightPlan& light, CandidateMask blockers, const ToLight<R>& to,
-                                            R own_id, Mask<R> lit) {
+ZERKALO_INLINE Mask<R> visible_from_outside(const Plan& plan, const LightPlan& light, CandidateMask blockers,
+                                            const ToLight<R>& to, R own_id, Mask<R> lit) {
     Mask<R> visible = lit;
     for (CandidateMask left = solids_in(blockers); left != 0; left &= left - 1) {
         const int k = first_of(left);

@@ -145,6 +145,24 @@ class Study(CommandLineTest):
         self.succeed("study", "--join", *(self.path(f"part{k}") for k in (1, 2, 3)), "-o", self.path("joined"))
         self.assertEqual(self.exact("joined"), self.exact("whole"))
 
+    def test_a_join_gets_its_crops_from_a_study_of_the_same_plan(self):
+        for k in (1, 2):
+            self.shard(f"part{k}", f"{k}/2", *FLOAT)
+        self.succeed("study", "--join", self.path("part1"), self.path("part2"), "-o", self.path("d"))
+        joined = (self.files / "d" / "study.csv").read_bytes()
+        self.assertFalse((self.files / "d" / "crops").exists())
+        self.succeed(*self.study("d", *FLOAT))
+        self.assertEqual((self.files / "d" / "study.csv").read_bytes(), joined)
+        self.assertTrue(list((self.files / "d" / "crops").glob("scene-*.png")))
+
+    def test_without_gnuplot_one_line_says_so_and_the_data_are_written(self):
+        done = self.run_program(*self.study("d", *FLOAT), environment={"PATH": self.path("empty")})
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(done.stderr.decode(), r"\Azerkalo: note: gnuplot \(Debian package gnuplot-nox\) is missing: .*\n\Z")
+        self.assertEqual([path.name for path in (self.files / "d" / "diagrams").iterdir()], ["scene.gp"])
+        self.assertEqual(len(self.rows("d")), 2 * 3 + 1)
+        self.assertIn("## Slopes", (self.files / "d" / "study.md").read_text(encoding="utf-8"))
+
     def test_threads_and_instruction_sets_change_no_exact_column(self):
         self.succeed(*self.study("a", *FLOAT))
         self.succeed(*self.study("b", *FLOAT, "--isa", "scalar", "--threads", "2"))

@@ -1,6 +1,9 @@
 #include "tests/laws/passes.hpp"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <stdexcept>
 #include <tuple>
@@ -124,6 +127,20 @@ double distance(const Image& a, const Image& b) {
         squares += off * off;
     }
     return std::sqrt(squares / double(a.rgb.size()));
+}
+
+void JudgedEstimates::judge(const std::string& name, double asked, double estimate, double truth) {
+    ++pictures_;
+    if (!(truth < 1.5 * estimate && estimate < 1.5 * truth)) {
+        ++off_;
+        std::printf("%s: asked %g, estimated %g, true %g\n", name.c_str(), asked, estimate, truth);
+    }
+    EXPECT_LE(estimate, asked) << name;
+    EXPECT_LT(truth, 3 * estimate) << name;
+}
+
+void JudgedEstimates::expect_nineteen_of_twenty() const {
+    EXPECT_LE(off_ * 20, pictures_) << off_ << " of " << pictures_;
 }
 
 }  // namespace zerkalo::laws

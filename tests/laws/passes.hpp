@@ -71,4 +71,15 @@ const Image& limit_of(const std::string& scene, int width, int height);
 /// Root of the mean square of the differences over pixels and channels.
 double distance(const Image& a, const Image& b);
 
+/// Estimates of errors against the errors themselves: each not above what was asked for, right within a factor of 3,
+/// and nineteen of twenty within 1.5. Tells those that are not.
+class JudgedEstimates {
+public:
+    void judge(const std::string& name, double asked, double estimate, double truth);
+    void expect_nineteen_of_twenty() const;
+
+private:
+    int pictures_ = 0, off_ = 0;
+};
+
 }  // namespace zerkalo::laws

@@ -66,7 +66,7 @@ TEST(Progressive, ResumedIsTheSameAsUninterrupted) {
 
 // The law of the estimate, by many pictures: every scene, several errors asked for, several placements of the rays.
 TEST(Progressive, TheEstimateIsWithinAFactorOfThreeHalvesInNineteenOfTwenty) {
-    int pictures = 0, off = 0;
+    JudgedEstimates all;
     for_unpolished([&](const std::string& name, const Scene& scene) {
         const Image& limit = limit_of(name, kWidth, kHeight);
         for (const double error : {0.02, 0.006, 0.002, 0.0007}) {
@@ -74,25 +74,18 @@ TEST(Progressive, TheEstimateIsWithinAFactorOfThreeHalvesInNineteenOfTwenty) {
                 Settings settings = of_size(kWidth, kHeight);
                 settings.rotation = rotation;
                 Passes work(scene, settings);
-                const double estimate = work.refine(error), truth = distance(work.picture(), limit);
-                const bool good = truth < 1.5 * estimate && estimate < 1.5 * truth;
-                ++pictures;
-                if (!good) {
-                    ++off;
-                    std::printf("%s: asked %g, estimated %g, true %g\n", name.c_str(), error, estimate, truth);
-                }
-                EXPECT_LE(estimate, error) << name;
-                EXPECT_LT(truth, 3 * estimate) << name;
+                const double estimate = work.refine(error);
+                all.judge(name, error, estimate, distance(work.picture(), limit));
             }
         }
     });
-    EXPECT_LE(off * 20, pictures) << off << " of " << pictures;
+    all.expect_nineteen_of_twenty();
 }
 
 // The same for the other rules whose parts tell the error, but for r2 on a ggx lobe (core/render/README.md).
 TEST(Progressive, TheEstimateHoldsForEveryRuleWhosePartsTell) {
     constexpr int kLargeWidth = 80, kLargeHeight = 60;
-    int pictures = 0, off = 0;
+    JudgedEstimates all;
     for_unpolished([&](const std::string& name, const Scene& scene) {
         const bool ggx = name == "ggx-mirror";
         for (const Estimator rule : {Estimator::random, Estimator::r2, Estimator::fibonacci_coverage}) {
@@ -106,19 +99,12 @@ TEST(Progressive, TheEstimateHoldsForEveryRuleWhosePartsTell) {
                     ASSERT_EQ(work.tells(), !(ggx && rule == Estimator::r2));
                     const double estimate = work.refine(error);
                     const double truth = distance(work.picture(), limit_of(name, kLargeWidth, kLargeHeight));
-                    const bool good = truth < 1.5 * estimate && estimate < 1.5 * truth;
-                    ++pictures;
-                    if (!good) {
-                        ++off;
-                        std::printf("%s, %s: asked %g, estimated %g, true %g\n", name.c_str(), name_of(rule), error,
-                                    estimate, truth);
-                    }
-                    EXPECT_LE(estimate, error) << name << ", " << name_of(rule);
+                    all.judge(name + ", " + name_of(rule), error, estimate, truth);
                 }
             }
         }
     });
-    EXPECT_LE(off * 20, pictures) << off << " of " << pictures;
+    all.expect_nineteen_of_twenty();
 }
 
 // A tile of which few rays agree by luck still gets its share: none has fewer than the floor, and asking for less and

@@ -70,26 +70,19 @@ TYPED_TEST(Replicas, TheVariancesOfThePixelsAreTogetherThatOfThePicture) {
 
 // The law of the estimate, by many pictures: every scene, several errors asked for, several placements of the rays.
 TYPED_TEST(Replicas, TheEstimateIsWithinAFactorOfThreeHalvesInNineteenOfTwenty) {
-    int pictures = 0, off = 0;
+    JudgedEstimates all;
     for (const auto& [name, scene] : unpolished_scenes()) {
         Settings settings = placed_by(TypeParam::kRule, kLargeWidth, kLargeHeight);
         const Image& limit = limit_of(name, kLargeWidth, kLargeHeight);
         for (const double error : {0.006, 0.002, 0.0007}) {
             for (settings.rotation = 0; settings.rotation < 4 * kApart; settings.rotation += kApart) {
                 typename TypeParam::Work work(scene, settings);
-                const double estimate = work.refine(error), truth = distance(work.picture(), limit);
-                const bool good = truth < 1.5 * estimate && estimate < 1.5 * truth;
-                ++pictures;
-                if (!good) {
-                    ++off;
-                    std::printf("%s: asked %g, estimated %g, true %g\n", name.c_str(), error, estimate, truth);
-                }
-                EXPECT_LE(estimate, error) << name;
-                EXPECT_LT(truth, 3 * estimate) << name;
+                const double estimate = work.refine(error);
+                all.judge(name, error, estimate, distance(work.picture(), limit));
             }
         }
     }
-    EXPECT_LE(off * 20, pictures) << off << " of " << pictures;
+    all.expect_nineteen_of_twenty();
 }
 
 // Over all scenes and placements, the mean square of the estimates is that of the errors: also where the lobe rays of
