@@ -48,9 +48,10 @@ ZERKALO_INLINE bool can_be_covered(const Plan& plan, const TileLobe& lobe, int k
     return true;
 }
 
-/// Where the tile's middle looks: its mirror point and mirror direction.
+/// Where the tile's middle looks: its mirror point and mirror direction; how far from there the others' points lie.
 struct Glance {
     Vec3<float> p, m;
+    float stray;
 };
 
 ZERKALO_INLINE void set_shade(CoveredSolid& cover, const Plan& plan, const Glance& from, Vec3<float> at, int face,
@@ -64,7 +65,13 @@ ZERKALO_INLINE void set_shade(CoveredSolid& cover, const Plan& plan, const Glanc
 
 constexpr float kWithin = 0.95f;  // of a face's half-width: places for shades keep off its edges
 
-/// Every face that looks to the tile: where the axis meets its plane, drawn towards its middle until it is inside.
+/// The same from a point that a plane looks to, of which the tile's middle lies `behind` (if that is positive).
+ZERKALO_INLINE Glance before_plane(const Glance& from, Vec3<float> outwards, float behind) {
+    return behind < 0 ? from : Glance{from.p + outwards * (behind + from.stray), from.m, from.stray};
+}
+
+/// Every face that looks to some pixel of the tile: where the axis meets its plane, drawn towards its middle until it
+/// is inside.
 ZERKALO_INLINE void shade_polyhedron(CoveredSolid& cover, const Plan& plan, const Glance& from, TileCounts& counts) {
     const HalfSpacesData& body = plan.solids[cover.k].half_spaces;
     const Outline& outline = plan.outlines[cover.k];
@@ -73,7 +80,8 @@ ZERKALO_INLINE void shade_polyhedron(CoveredSolid& cover, const Plan& plan, cons
         const OutlineFace& face = outline.faces[f];
         const Slab& own = slabs[face.slab];
         const auto seen_from = slab_seen_from<FloatNumbers<float>>(own, from.p - body.centre);
-        if (face.low ? !(seen_from.lo > 0) : !(seen_from.hi < 0)) continue;
+        const float behind = face.low ? -seen_from.lo : seen_from.hi;
+        if (!(behind < from.stray)) continue;
         const Vec3<float> middle = outline.middle[f];
         const float t = (face.low ? seen_from.lo : seen_from.hi) / dot(own.n, from.m);
         Vec3<float> way = from.p + from.m * t - middle;
@@ -84,25 +92,28 @@ ZERKALO_INLINE void shade_polyhedron(CoveredSolid& cover, const Plan& plan, cons
             const float room = along > 0 ? slabs[s].hi - at : at - slabs[s].lo;
             if (share * max(along, -along) > kWithin * room) share = kWithin * room / max(along, -along);
         }
-        set_shade(cover, plan, from, share > 0 ? middle + way * share : middle, face.slab, counts);
+        set_shade(cover, plan, before_plane(from, face.low ? -own.n : own.n, behind),
+                  share > 0 ? middle + way * share : middle, face.slab, counts);
     }
 }
 
-/// The cap of a tube that looks to the tile: where the axis meets its plane, if it does, at most at the rim.
+/// The cap of a tube that looks to some pixel of the tile: where the axis meets its plane, if it does, at most at the
+/// rim.
 ZERKALO_INLINE void shade_cap(CoveredSolid& cover, const Plan& plan, const Glance& from, TileCounts& counts) {
     const TubeData& tube = plan.solids[cover.k].tube;
     const Vec3<float> o = tube_seen_from<FloatNumbers<float>>(tube, from.p);
     const Vec3<float> d = in_tube_axes(tube, from.m);
     const float top = o.y > 0 ? tube.half_height : -tube.half_height;
-    if (o.y * top <= tube.half_height * tube.half_height) return;
+    const float behind = tube.half_height - max(o.y, -o.y);
+    if (!(behind < from.stray)) return;
     const float t = (top - o.y) / d.y;
     const float most = kWithin * (tube.mid_radius + tube.slope * top);
     const float x = o.x + d.x * t, z = o.z + d.z * t;
     const float length = sqrt(x * x + z * z);
     const float scale = t > 0 && length > 0 && length < 0x1p60f ? min(most / length, 1.0f) : 0.0f;
     const Vec3<float> q = scale > 0 ? Vec3<float>{x * scale, top, z * scale} : Vec3<float>{0, top, 0};
-    set_shade(cover, plan, from, tube.centre + tube.axis_x * q.x + tube.axis_y * q.y + tube.axis_z * q.z, kCapFace,
-              counts);
+    set_shade(cover, plan, before_plane(from, o.y > 0 ? tube.axis_y : -tube.axis_y, behind),
+              tube.centre + tube.axis_x * q.x + tube.axis_y * q.y + tube.axis_z * q.z, kCapFace, counts);
 }
 
 /// The shades of a solid of which the scouts see so much: of flat faces at one place, of a round one on average. What
@@ -159,7 +170,7 @@ ZERKALO_ONCE void cover_tile(TileCover& cover, const Plan& plan, const Rect& til
         }
         ++cover.count;
         next.face_count = round ? 2 : plan.solids[k].half_spaces.slab_count;
-        shade_solid(next, plan, {lobe.p, lobe.m}, report, counts);
+        shade_solid(next, plan, {lobe.p, lobe.m, lobe.stray}, report, counts);
     }
     cover.smooth = cover.count > 0 && is_smooth(cover, lobe, plan.mirrors[0].profile);
 }

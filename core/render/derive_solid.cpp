@@ -104,10 +104,10 @@ TubeDataOf<F> tube_of(const Solid& solid, const Placement& at, const Constants<F
     const double slope = slope_of(solid);
     TubeDataOf<F> tube{};
     tube.centre = to.point(at.middle);
-    // Around its own axis a tube looks the same from all sides: an upright one needs no rotation.
+    // Around its own axis a tube looks the same from all sides: an upright one needs no rotation, and has none.
     tube.upright = at.axis_y.x == 0 && at.axis_y.z == 0 && at.axis_y.y == 1;
-    tube.axis_x = to.direction(at.axis_x), tube.axis_y = to.direction(at.axis_y);
-    tube.axis_z = to.direction(at.axis_z);
+    tube.axis_x = to.direction(tube.upright ? Point{1, 0, 0} : at.axis_x), tube.axis_y = to.direction(at.axis_y);
+    tube.axis_z = to.direction(tube.upright ? Point{0, 0, 1} : at.axis_z);
     tube.mid_radius = to.length((solid.radius + top_radius(solid)) / 2);
     tube.slope = to.ratio(slope);
     tube.half_height = to.length(solid.height / 2);

@@ -213,6 +213,34 @@ TEST(Coverage, LeavesATenthOfThePlainErrorOfAPolyhedron) {
     }
 }
 
+TEST(Coverage, IsThatOfTheSameTubeHoweverItIsTurnedAboutItsAxis) {
+    for (const SolidKind kind : {SolidKind::cylinder, SolidKind::cone}) {
+        Scene scene = with_one(kind, 200);
+        scene.solids[0].rotation = {0, 0, 0};
+        const Image straight = render(scene, covered(48, 4));
+        scene.solids[0].rotation = {0, 0.3, 0};
+        EXPECT_EQ(render(scene, covered(48, 4)).hash(), straight.hash()) << "kind " << static_cast<int>(kind);
+    }
+}
+
+// The upper end of the solid comes into view from one row of pixels to the next, wherever the tiles lie.
+TEST(Coverage, LeavesATenthOfThePlainErrorWhereAFaceComesIntoView) {
+    constexpr int kSide = 120;
+    for (const SolidKind kind : {SolidKind::prism, SolidKind::cylinder}) {
+        for (int row = 0; row < kTileSide; ++row) {
+            Scene scene = before_a_mirror(1000, Lobe::phong);
+            Solid solid = of_kind(kind, {0.05, -1.1, 2.5});
+            solid.rotation = {0, 0.3, 0};
+            add(scene, solid);
+            // One row of pixels is so much of the mirror's plane.
+            scene.camera.position.y = 2 * 1.5 * std::tan(0.4) / kSide * row;
+            const Image truth = render(scene, plain(kSide, 4096));
+            const double less = rmse_of(scene, plain(kSide, 16), truth) / rmse_of(scene, covered(kSide, 16), truth);
+            EXPECT_GT(less, kind == SolidKind::prism ? 10 : 2) << "row " << row;
+        }
+    }
+}
+
 TEST(Coverage, LeavesHalfOfThePlainErrorOfARoundSolidOrLess) {
     for (const SolidKind kind : {SolidKind::sphere, SolidKind::cylinder, SolidKind::cone}) {
         const Scene scene = with_one(kind, 1000);
