@@ -15,13 +15,13 @@ constexpr const char* name_of(Estimator estimator) { return kEstimatorNames[stat
 /// Rules that give each tile points of its own (optics/point_sets.hpp); the others turn one lattice.
 constexpr bool is_keyed(Estimator estimator) { return estimator < Estimator::fibonacci; }
 
-constexpr std::int32_t kShareSteps = 512;  // places in one of N equal shares of a lobe's energy
+constexpr std::int32_t kShareSteps = 512;  // places in one of the N shares of a lobe's energy
 
 /// Of one frame. The mean over all rotations is the integral: an estimate of the error comes from a few of them.
 struct Sampling {
     Estimator estimator;
     std::uint32_t turn;  // added to every azimuth: a turn is 2^32
-    std::int32_t place;  // where in its share each point lies, in steps: the middle, or any odd number
+    std::int32_t place;  // where in its share each even point lies, in steps: the middle, or any odd number
 };
 
 // A turn is 2^32: 1 over the golden ratio of it, and 1 over the plastic number p and p^2, p = 1.32471795724...
@@ -29,8 +29,8 @@ constexpr std::uint32_t kGoldenTurn = 0x9e3779b9u, kPlasticTurn = 0xc13fa9a9u, k
 
 /// The lobe rays of one camera sample of a pixel: a lattice of their own, which with those of the others is one.
 struct LatticePart {
-    std::int32_t place;  // of every point in its share of the lobe's energy, of 2^20
-    std::uint32_t turn;  // in azimuth
+    std::int32_t place[2];  // of every even and every odd point in its share of the lobe's energy, of 2^20
+    std::uint32_t turn;     // in azimuth
 };
 constexpr int kPlaceBits = 20;
 
@@ -43,13 +43,11 @@ constexpr LatticePart lattice_part(const Sampling& sampling, std::uint32_t a, st
     const auto step = static_cast<std::uint32_t>(((whole_turns << 32) + kGoldenTurn) / parts);
     // Rotations also turn the parts round over the camera samples, or each would see its own piece of the shares alone.
     a = static_cast<std::uint32_t>((a + (std::uint64_t{sampling.turn * kPlasticTurn} * parts >> 32)) % parts);
-    const std::uint64_t place = std::uint64_t{a} * kShareSteps + static_cast<std::uint64_t>(sampling.place);
-    return {static_cast<std::int32_t>(((place << kPlaceBits) / kShareSteps + parts / 2) / parts), a * step};
-}
-
-/// The smallest share u of a lobe's energy that lies farther out than one of so many rays of a pixel.
-constexpr double least_share(const Sampling& sampling, double points) {
-    return is_keyed(sampling.estimator) ? 0x1p-24 : double(sampling.place) / kShareSteps / points;
+    const auto place = [&](std::int32_t in_part) {
+        const std::uint64_t steps = std::uint64_t{a} * kShareSteps + static_cast<std::uint64_t>(in_part);
+        return static_cast<std::int32_t>(((steps << kPlaceBits) / kShareSteps + parts / 2) / parts);
+    };
+    return {{place(sampling.place), place(kShareSteps - sampling.place)}, a * step};
 }
 
 }  // namespace zerkalo

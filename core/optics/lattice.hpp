@@ -1,8 +1,8 @@
 // Where the lobe rays of an unpolished mirror go: a Fibonacci lattice in lobe coordinates, rotated in azimuth only.
 //
-// Point i of N: u = (i + 1/2) / N, azimuth = frac(i g), g the golden ratio's inverse. In a lobe cos^n the ray at u has
-// cos(theta) = u^(1/(n+1)). u is a midpoint rule and must not be shifted; the azimuth is periodic, so a rotation per
-// pixel costs no accuracy and decorrelates neighbours. Any N. Every function is pure in (pixel, index). Frames that are
+// Point i of N: u in the middle of share i of the lobe's energy (shares.hpp), azimuth = frac(i g), g the golden ratio's
+// inverse. In a lobe cos^n the ray at u has cos(theta) = u^(1/(n+1)). The azimuth is periodic, so a rotation per pixel
+// costs no accuracy and decorrelates neighbours. Any N. Every function is pure in (pixel, index). Frames that are
 // rotations of one another (Settings::rotation) also move u within its share: their mean is the integral.
 //
 // Rotations come in four classes, one of each in every block of 2x2 pixels, in an order that a hash picks: the eye
@@ -14,6 +14,7 @@
 #include "core/numeric/double_elementary.hpp"
 #include "core/numeric/fixed_elementary.hpp"
 #include "core/optics/optics_data.hpp"
+#include "core/optics/shares.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
 
@@ -117,29 +118,6 @@ ZERKALO_INLINE Fraction<R> fraction_of_bits(Bits<R> bits) {
     }
 }
 
-/// Where the points of a part lie in their shares of the lobe's energy: 1/2 of the whole lattice in rotation 0.
-ZERKALO_INLINE float place_in_share(const LatticePart& part) { return float(part.place) * 0x1p-20f; }
-
-/// (s + place) / n and 1 / n, for all lanes.
-template <class R>
-ZERKALO_INLINE Fraction<R> share_point(const LatticePart& part, std::int32_t s, std::int32_t n) {
-    if constexpr (Formats<R>::kFixed) {
-        const std::int64_t steps = (std::int64_t{s} << kPlaceBits) + part.place;
-        return Fraction<Uniform<R>>::from_raw(rounded_quotient<std::int64_t, 21>(steps, n) << 19);
-    } else {
-        using U = UniformReal<R>;
-        return R((U(s) + U(place_in_share(part))) / U(n));
-    }
-}
-template <class R>
-ZERKALO_INLINE Weight<R> one_part_of(std::int32_t n) {
-    if constexpr (Formats<R>::kFixed) {
-        return Weight<Uniform<R>>::from_raw(rounded_quotient<std::int32_t, 30>(1, n));
-    } else {
-        return R(1) / R(float(n));
-    }
-}
-
 /// A direction in the lobe's frame: `forward` along the axis, `side` and `up` across.
 template <class R>
 struct LobePoint {
@@ -187,14 +165,29 @@ ZERKALO_INLINE auto lobe_point(Fixed<A, F> u, P turn, Fixed<B, FS> inverse_expon
     return at_azimuth(lobe_polar(u, inverse_exponent), turn);
 }
 
+/// Whole numbers below 2^23 as floats: the low bits of a float in [2^23, 2^24).
+template <class R>
+ZERKALO_INLINE R real_of_index(Bits<R> index) {
+    return from_bits(index | Bits<R>(0x4b000000u)) - R(8388608.0f);
+}
+
 /// Points index, index + 1, ... of the `count` of a part, one a lane, before their class turns them.
 template <class R>
 ZERKALO_INLINE LobePoint<R> lattice_point(const LatticePart& part, Bits<R> index, std::int32_t count,
                                           R inverse_exponent) {
-    // Exact for index < 2^23: the low bits of a float in [2^23, 2^24).
-    const R i = from_bits(index | Bits<R>(0x4b000000u)) - R(8388608.0f);
-    const R u = (i + R(place_in_share(part))) / R(float(count));
+    const R n = R(float(count)), even = R(place_in_share(part, 0)), odd = R(place_in_share(part, 1));
+    const EnergyShare<R> share = energy_share<R>(real_of_index<R>(index), n);
+    const R place = even + (odd - even) * real_of_index<R>(index & Bits<R>(1u));
+    const R u = (share.begin + share.size * place) / whole_lobe(n);
     return lobe_point(u, turn_of_phase<R>(phase_in_part(part, index)), inverse_exponent);
+}
+
+/// Point index, ... of `count` even points of the unit disc.
+template <class R>
+ZERKALO_INLINE LobePoint<R> disc_point(Bits<R> index, std::int32_t count) {
+    constexpr float kInverseExponent = 0.5f;  // the lobe cos a, seen along its axis
+    const R u = (real_of_index<R>(index) + R(0.5f)) / R(float(count));
+    return lobe_point(u, turn_of_phase<R>(index * Bits<R>(kGoldenTurn)), R(kInverseExponent));
 }
 
 /// max-Phong: min(1, cos_i / cos_o), nothing from below.

@@ -85,10 +85,12 @@ constexpr int kChunkPadding = 16;  // of the widest lane
 
 constexpr int kLatticeClasses = 4;
 
-/// A run of lattice points in lobe coordinates (optics/lattice.hpp).
+/// A run of lattice points in lobe coordinates (optics/lattice.hpp). The first `rim` of them count for less than the
+/// others (optics/shares.hpp): for `weight` of one of these.
 struct LatticeChunk {
     float side[kChunk + kChunkPadding], up[kChunk + kChunkPadding], forward[kChunk + kChunkPadding];
-    std::int32_t count;
+    float weight[kChunk];
+    std::int32_t count, rim;
 };
 
 constexpr std::int32_t kRayChunk = 32;

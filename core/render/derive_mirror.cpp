@@ -1,10 +1,11 @@
+#include "core/optics/shares.hpp"
 #include "core/render/derive.hpp"
 #include "core/scene/outline.hpp"
 
 namespace zerkalo {
 namespace {
 
-constexpr double kTailBound = 0x1p-11;  // share of a lobe's energy that culling may leave out
+constexpr double kTailBound = 0x1p-13;  // share of a lobe's energy that culling may leave out
 
 double larger(double a, double b) { return a > b ? a : b; }
 
@@ -70,7 +71,7 @@ void derive_cone(double n, const PlanHead& plan, bool survey, const Constants<F>
         lobe.cosine = to.weight(0), lobe.sine = lobe.widest_sine = to.weight(1);
         return;
     }
-    const double widest = least_share(plan.sampling, double(plan.samples) * plan.antialias);
+    const double widest = least_share(plan.sampling, plan.samples, plan.antialias);
     // Room for the rounding of lattice and frame: both far below 2^-18.
     constexpr double kRoom = 0x1p-18;
     const auto cone = [&](double u) {

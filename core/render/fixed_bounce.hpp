@@ -21,7 +21,7 @@ ZERKALO_INLINE void reflect_once(const PlanFor<R>& plan, const MirrorSpot<R>& at
     const Vec3<Direction<R>> m = reflect(d, at.n);
     if (mirror.lobe.glossy) {
         CandidateMask candidates;
-        const Mask<R> sending = lanes_with_rays<R>(plan, mirror.lobe, at.p, m, part_of_lobe<R>(plan), at.front,
+        const Mask<R> sending = lanes_with_rays<R>(plan, mirror.lobe, at.p, m, full_throughput<R>(plan), at.front,
                                                    candidates, sum);
         if (any(sending)) enqueue<R>(waiting, sending, at.p, m, candidates, first);
         return;

@@ -66,10 +66,24 @@ ZERKALO_INLINE void enqueue(WaitingLobes& waiting, Mask<R> mask, const Vec3<Leng
     waiting.candidates |= candidates;
 }
 
-/// What one ray of a lobe counts for.
+/// What a ray of a lobe with the largest share carries.
 template <class R>
-ZERKALO_INLINE Rgb<Weight<R>> part_of_lobe(const PlanFor<R>& plan) {
-    return as<Weight<R>>(scaled(spread<Weight<R>>(plan.mirrors[0].reflectance), one_part_of<R>(plan.samples)));
+ZERKALO_INLINE Rgb<Weight<R>> full_throughput(const PlanFor<R>& plan) {
+    const auto weight = full_weight<R>(plan.sampling.estimator, plan.samples);
+    return as<Weight<R>>(scaled(spread<Weight<R>>(plan.mirrors[0].reflectance), weight));
+}
+
+/// The background, for rays of the chunk that begins with ray `first`.
+template <class R>
+ZERKALO_INLINE void add_missed_of(const PlanFor<R>& plan, Mask<R> mask, Rgb<Weight<R>> full, std::int32_t first,
+                                  RayMask missed, Rgb<LightSum<R>>& sum) {
+    const std::int32_t rim = rays_at_rim(plan.sampling.estimator, plan.samples) - first;
+    RayMask at_rim = rim <= 0 ? 0 : missed & first_rays(rim < kRayChunk ? rim : kRayChunk);
+    add_missed<R>(plan, mask, full, count_of_rays(missed & ~at_rim), sum);
+    for (; at_rim != 0; at_rim &= at_rim - 1) {
+        const Rgb<Weight<R>> throughput = throughput_of_ray<R>(plan, full, first + first_of(at_rim));
+        add<R>(sum, mask, throughput, spread<Radiance<R>>(plan.background));
+    }
 }
 
 /// The nearest solid along d, for origins outside of every solid. `o`: the origins, or the one of all lanes.
@@ -115,26 +129,27 @@ struct PacketLobes {
 
 /// The rays of a chunk, for a packet of one class.
 template <class R>
-ZERKALO_INLINE void shoot_rays(const PlanFor<R>& plan, const RayChunk& rays, std::int32_t count,
+ZERKALO_INLINE void shoot_rays(const PlanFor<R>& plan, const RayChunk& rays, std::int32_t first, std::int32_t count,
                                const PacketLobes<R>& lobes, const LobeAim<R>& aim, Rgb<LightSum<R>>& sum,
                                TileCounts& counts) {
     using D = Direction<R>;
     using One = Direction<Uniform<R>>;
     const bool weighted = plan.mirrors[0].lobe.max_phong;
-    const Rgb<Weight<R>> part = part_of_lobe<R>(plan);
+    const Rgb<Weight<R>> full = full_throughput<R>(plan);
     const Vec3<D> n = spread<D>(plan.mirrors[0].shape.n);
     counts.lobe += count_of(lobes.active) * static_cast<std::uint32_t>(count);
     // Each ray of max-Phong has a weight of its own, also where it meets nothing.
     RayMask left = first_rays(count);
     if (lobes.aimed && !weighted) {
         left &= aim.rays;
-        add_missed<R>(plan, lobes.active, part, count - count_of_rays(left), sum);
+        add_missed_of<R>(plan, lobes.active, full, first, first_rays(count) & ~left, sum);
     }
     for (; left != 0; left &= left - 1) {
         const std::int32_t i = first_of(left);
         const LobePoint<R> point{D(One::from_raw(rays.side[i])), D(One::from_raw(rays.up[i])),
                                  D(One::from_raw(rays.forward[i]))};
         const LobeRay<R> ray = lobe_ray<R>(point, lobes.m, lobes.base, n, lobes.max_phong);
+        const Rgb<Weight<R>> part = throughput_of_ray<R>(plan, full, first + i);
         const auto below = lobes.active & (!ray.above);
         if (!weighted && any(below)) add<R>(sum, below, part, spread<Radiance<R>>(plan.background));
         const Mask<R> above = lobes.active & ray.above;
@@ -198,7 +213,7 @@ ZERKALO_ONCE void trace_lobes(const PlanFor<R>& plan, const WaitingLobes& waitin
                 lobes.aimed = !plan.exact_plan && aim_lobes<R>(aim, plan, lobes.candidates, chunk, rays.count, lobes.o,
                                                                lobes.m, lobes.base);
                 Rgb<LightSum<R>> sum = gather_sum<R>(sums, packet);
-                shoot_rays<R>(plan, chunk, rays.count, lobes, aim, sum, counts);
+                shoot_rays<R>(plan, chunk, first, rays.count, lobes, aim, sum, counts);
                 scatter_sum<R>(sums, packet, lobes.active, sum);
             }
         }

@@ -64,13 +64,16 @@ ZERKALO_ONCE bool next_packet(const PlanFor<R>& plan, PathStack<R>& stack, const
     if (last) --stack.count;
     LobeJob<R>& job = stack.lobe;
     const LobePoint<R> point = point_of_job<R>(plan, stack.rows, job, key, s, top.active);
+    const Rgb<Weight<R>> throughput = throughput_of_ray<R>(plan, top.throughput, s);
     CandidateMask candidates = top.candidates;
     if constexpr (Formats<R>::kFixed) {
         if (job.target_count > 0) {
             candidates = solids_met<R>(job, point, top.active);
-            job.missed += candidates == 0;
+            const bool at_rim = s < rays_at_rim(plan.sampling.estimator, plan.samples), passed = candidates == 0;
+            if (passed && at_rim) add<R>(sum, top.active, throughput, spread<Radiance<R>>(plan.background));
+            job.missed += passed && !at_rim;
             if (last) add_missed<R>(plan, top.active, top.throughput, job.missed, sum);
-            if (candidates == 0) {
+            if (passed) {
                 counts.lobe += count_of(top.active);
                 ray.after_lobe = false;  // nothing was added for it alone
                 return false;
@@ -88,8 +91,7 @@ ZERKALO_ONCE bool next_packet(const PlanFor<R>& plan, PathStack<R>& stack, const
     if (plan.features & kFeatureGgx) {
         lobe = select<R>(job.ggx, ggx_ray<R>(place_of_ray<R>(plan, key, s), top.d, job.n, job.alpha), lobe);
     }
-    go_on_in_lobe<R>(plan, lobe, job.max_phong | job.ggx, top.active, top.o, top.throughput, top.from.id, ray, sum,
-                     counts);
+    go_on_in_lobe<R>(plan, lobe, job.max_phong | job.ggx, top.active, top.o, throughput, top.from.id, ray, sum, counts);
     return any(ray.active);
 }
 
@@ -172,7 +174,7 @@ inline void render_tile_general(const PlanFor<R>& plan, const Tile& tile, const 
             put(colours, first,
                 trace_packet<R>(plan, view, camera, active, key, stack, spread_of_tile ? &parts : nullptr, tile_counts),
                 a > 0);
-            if (spread_of_tile) add_variance(*spread_of_tile, first, parts);
+            if (spread_of_tile) add_variance(*spread_of_tile, first, plan, parts);
         }
     }
     if (plan.antialias > 1) average<R>(colours, plan.antialias);

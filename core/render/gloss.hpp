@@ -1,13 +1,13 @@
 // The unpolished mirror: the average over a lobe about the mirror direction (seed: the mirror that is not ideal).
 //
-//     I = background W + (1/N) sum over lattice rays i that meet a solid of  w_i (L_i - background)
+//     I = background W + sum over lattice rays i that meet a solid of  s_i w_i (L_i - background)
 //
-// with w_i the lobe's weight and W their mean: 1 for the seed's Phong lobe (rays below the horizon see the background),
-// min(1, cos_i / cos_o) for max-Phong. Where no ray can meet a solid the sum is empty: the answer is exact without a
+// with s_i the ray's share of the lobe (1/N, but for the rim: optics/shares.hpp), w_i the lobe's weight and W their mean:
+// 1 for the seed's Phong lobe (rays below the horizon see the background), min(1, cos_i / cos_o) for max-Phong. Where no ray can meet a solid the sum is empty: the answer is exact without a
 // ray. Where the solids' faces f are covered first (render/cover_solids.hpp), with any shades c_f, the same is
 //
 //     I = background W + sum over f of (c_f - background) coverage_f
-//         + (1/N) sum over i of  w_i (L_i - background) - sum over all f that ray i meets of (c_f - background)
+//         + sum over i of  s_i (w_i (L_i - background) - sum over all f that ray i meets of (c_f - background))
 //
 // so that only what differs from the shades is left to the rays. Pixels that do need rays wait in a queue, so that
 // packets are full; the lattice's first points are in the plan. Source of max-Phong: Neumann, Neumann, Szirmay-Kalos,
@@ -29,6 +29,13 @@ struct NormalInFrame {
 template <class R>
 ZERKALO_INLINE R ray_cosine(const NormalInFrame<R>& n, const LatticeChunk& chunk, std::int32_t s) {
     return n.forward * R(chunk.forward[s]) + n.side * R(chunk.side[s]) + n.up * R(chunk.up[s]);
+}
+
+/// The weight of max-Phong times what ray s counts for.
+template <class R>
+ZERKALO_INLINE R weight_of_ray(const NormalInFrame<R>& n, const LatticeChunk& chunk, std::int32_t s, R inverse_cosine) {
+    const R weight = lobe_weight(ray_cosine(n, chunk, s), inverse_cosine);
+    return s < chunk.rim ? weight * R(chunk.weight[s]) : weight;
 }
 
 /// The points and frames of a queue's pixels from number `first` on.
@@ -67,7 +74,7 @@ ZERKALO_INLINE void add_weights(GlossQueue& queue, GlossParts::OfClasses& parts,
     // The rays are a multiple of the parts.
     for (std::int32_t s = 0; s < chunk.count; s += kSpreadParts) {
         for (int part = 0; part < kSpreadParts; ++part) {
-            const R weight = lobe_weight(ray_cosine(n, chunk, s + part), inverse_cosine);
+            const R weight = weight_of_ray(n, chunk, s + part, inverse_cosine);
             sum = sum + weight;
             of_part[part] = of_part[part] + weight;
         }
@@ -80,9 +87,7 @@ template <class R>
 ZERKALO_INLINE void add_weights(GlossQueue& queue, std::int32_t at, const NormalInFrame<R>& n,
                                 const LatticeChunk& chunk, R inverse_cosine) {
     R sum = load<R>(queue.weight + at);
-    for (std::int32_t s = 0; s < chunk.count; ++s) {
-        sum = sum + lobe_weight(ray_cosine(n, chunk, s), inverse_cosine);
-    }
+    for (std::int32_t s = 0; s < chunk.count; ++s) sum = sum + weight_of_ray(n, chunk, s, inverse_cosine);
     store(queue.weight + at, sum);
 }
 
@@ -118,7 +123,9 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
 
     const Rgb<R> background = spread<R>(plan.background), none_yet = spread<R>(Rgb<float>{0, 0, 0});
     Rgb<R> sum{load<R>(queue.r + at), load<R>(queue.g + at), load<R>(queue.b + at)};
-    const auto note = [&](std::int32_t s, const Rgb<R>& light) ZERKALO_INLINE_LAMBDA {
+    const auto take = [&](std::int32_t s, Rgb<R> light) ZERKALO_INLINE_LAMBDA {
+        if (s < chunk.rim) light = scaled(light, R(chunk.weight[s]));
+        sum = sum + light;
         if constexpr (Aids::kAided) {
             if (aids.spread == nullptr) return;
             const GlossParts& parts = aids.parts;
@@ -143,12 +150,8 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
             Rgb<R> light = solid_light(plan, asked, near, p, d, hit, background, counts) - background;
             if (weighted) light = scaled(light, lobe_weight(ray_cosine(n, chunk, s), inverse_cosine));
             // In the order of the other branch: which one a ray takes depends on its packet.
-            if constexpr (Aids::kAided) {
-                sum = sum - counted;
-                note(s, none_yet - counted);
-            }
-            sum = sum + light;
-            note(s, light);
+            if constexpr (Aids::kAided) take(s, none_yet - counted);
+            take(s, light);
         } else {
             const LobeCandidate<R>& candidate = only_candidate(aim, s);
             R t = R(0), face = R(0);
@@ -162,15 +165,12 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
             if constexpr (Aids::kAided) {
                 Rgb<R> counted = none_yet;
                 add_counted(counted, aids.cover, candidate.k, face, hit);
-                sum = sum - counted;
-                note(s, none_yet - counted);
+                take(s, none_yet - counted);
             }
             if (dips) hit = hit & (ray_cosine(n, chunk, s) > R(0));
             Rgb<R> light = light_of_solid<R>(plan, *candidate.solid, p + d * t, face, d, hit, counts) - background;
             if (weighted) light = scaled(light, lobe_weight(ray_cosine(n, chunk, s), inverse_cosine));
-            light = select(hit, light, none_yet);
-            sum = sum + light;
-            note(s, light);
+            take(s, select(hit, light, none_yet));
         }
     }
     store(queue.r + at, sum.r), store(queue.g + at, sum.g), store(queue.b + at, sum.b);
@@ -179,7 +179,7 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
 /// Adds F K_r I to the colours of a class of pixels whose lobe rays are all in.
 template <class R>
 ZERKALO_INLINE void settle(GlossQueue& queue, const Plan& plan, const MirrorPlan& mirror, TileColours& colours) {
-    const R samples = R(float(plan.samples));
+    const R samples = R(rays_in_all(plan.sampling.estimator, plan.samples));
     const Rgb<R> background = spread<R>(plan.background);
     for (std::int32_t at = 0; at < queue.count; at += kWidth<R>) {
         const R weight = mirror.lobe.max_phong ? load<R>(queue.weight + at) / samples : R(1);
@@ -202,13 +202,14 @@ ZERKALO_INLINE void settle_spread(const GlossQueue& queue, const LobeAids& aids,
                                   const MirrorPlan& mirror) {
     const GlossParts& parts = aids.parts;
     const Rgb<R> background = spread<R>(plan.background), tint = spread<R>(mirror.reflectance);
-    const float part_of_ray = 1.0f / float(plan.samples);
+    const float part_of_ray = 1.0f / rays_in_all(plan.sampling.estimator, plan.samples);
     for (std::int32_t at = 0; at < queue.count; at += kWidth<R>) {
         PartSums<R> sums;
         for (int part = 0; part < kSpreadParts; ++part) {
             const Rgb<R> seen{load<R>((*parts.r)[c][part] + at), load<R>((*parts.g)[c][part] + at),
                               load<R>((*parts.b)[c][part] + at)};
-            sums.part[part] = tint * (scaled(background, load<R>((*parts.weight)[c][part] + at)) + seen);
+            const Rgb<R> light = tint * (scaled(background, load<R>((*parts.weight)[c][part] + at)) + seen);
+            sums.part[part] = scaled(light, R(plan.part_scale[part]));
         }
         alignas(64) float variance[kWidth<R>];
         store(variance, variance_of(sums) * R(part_of_ray * part_of_ray));

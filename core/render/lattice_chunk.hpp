@@ -10,6 +10,7 @@ namespace zerkalo::inline ZERKALO_ISA {
 template <class R, class PointAt>
 ZERKALO_INLINE void fill_points(LatticeChunk& chunk, std::int32_t first, std::int32_t samples, PointAt point_at) {
     chunk.count = samples - first < kChunk ? samples - first : kChunk;
+    chunk.rim = 0;
     const Bits<R> lane = load_bits<R>(kLaneNumbers.bits);
     for (std::int32_t i = 0; i < chunk.count; i += kWidth<R>) {
         const LobePoint<R> point = point_at(lane + Bits<R>(static_cast<std::uint32_t>(first + i)));
@@ -26,16 +27,17 @@ ZERKALO_INLINE void fill_chunk(LatticeChunk& chunk, const LatticePart& part, con
     fill_points<R>(chunk, first, samples, [&](Bits<R> index) ZERKALO_INLINE_LAMBDA {
         return lattice_point<R>(part, index, samples, R(lobe.inverse_exponent));
     });
+    const std::int32_t rim = rays_at_rim(Estimator::fibonacci, samples) - first;
+    for (; chunk.rim < chunk.count && chunk.rim < rim; ++chunk.rim) {
+        chunk.weight[chunk.rim] = weight_at_rim<float>(first + chunk.rim, samples);
+    }
 }
 
-/// Even points of the unit disc, at most kChunk: the lobe cos a seen along its axis.
+/// Even points of the unit disc, at most kChunk.
 template <class R>
 ZERKALO_INLINE void fill_disc(LatticeChunk& chunk, std::int32_t samples) {
-    constexpr float kInverseExponent = 0.5f;
-    const LatticePart whole = lattice_part(sampling_of(Estimator::fibonacci, 0), 0, 1);
-    fill_points<R>(chunk, 0, samples, [&](Bits<R> index) ZERKALO_INLINE_LAMBDA {
-        return lattice_point<R>(whole, index, samples, R(kInverseExponent));
-    });
+    fill_points<R>(chunk, 0, samples,
+                   [&](Bits<R> index) ZERKALO_INLINE_LAMBDA { return disc_point<R>(index, samples); });
 }
 
 /// Of a tile's own set.

@@ -9,6 +9,7 @@
 #include "core/optics/lattice.hpp"
 #include "core/optics/point_sets.hpp"
 #include "core/render/anywhere.hpp"
+#include "core/render/path_light.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
 
@@ -39,7 +40,7 @@ struct LobeJob : LobeStart<R> {
     Tangents<Direction<R>> base;  // across the mirror direction
     LobeTarget<R> targets[kMostTargets];
     std::int32_t target_count;  // of all that the rays can meet; 0 where this is not known
-    std::int32_t missed;        // rays that passed all of them
+    std::int32_t missed;        // rays, without those at the rim, that passed all of them
 };
 
 /// One lobe ray: direction in the lobe's frame turned into the world; what it weighs; what goes below the horizon.
@@ -196,7 +197,7 @@ ZERKALO_INLINE Mask<R> cone_may_meet(const SolidPlanFor<R>& solid, const LobeFor
 }
 
 /// Which lanes of `front` must send their lobe's rays, and what these can meet; the others see the background alone,
-/// which is added to the sum. `throughput`: of one ray.
+/// which is added to the sum. `throughput`: of a ray with the largest share.
 template <class R>
 ZERKALO_INLINE Mask<R> lanes_with_rays(const PlanFor<R>& plan, const LobeFor<R>& lobe, Vec3<Length<R>> p,
                                        Vec3<Direction<R>> m, Rgb<Weight<R>> throughput, Mask<R> front,
@@ -221,12 +222,7 @@ ZERKALO_INLINE Mask<R> lanes_with_rays(const PlanFor<R>& plan, const LobeFor<R>&
         // What the rays of max-Phong weigh depends on the pixel.
         if (!alone || lobe.max_phong || lobe.ggx) return front;
         const auto empty = front & (!reached);
-        if (any(empty)) {
-            const Rgb<LightSum<R>> light = throughput * spread<Radiance<R>>(plan.background);
-            const std::int32_t n = plan.samples;
-            const Rgb<LightSum<R>> all{times(light.r, n), times(light.g, n), times(light.b, n)};
-            sum = select(empty, sum + all, sum);
-        }
+        if (any(empty)) add_whole_lobe<R>(plan, empty, throughput, sum);
         return reached;
     }
 }

@@ -36,6 +36,11 @@ void place_lobe_rays(PlanOf<F>& plan, const Pass& pass) {
     plan.samples = pass.samples;
     if (pass.antialias > 0) plan.antialias = pass.antialias;
     plan.sampling = sampling_of(plan.sampling.estimator, static_cast<std::uint32_t>(pass.rotation));
+    for (int k = 0; k < kSpreadParts; ++k) {
+        plan.part_scale[k] = plan.samples < kSpreadParts
+                                 ? 1.0f
+                                 : scale_of_part(plan.sampling.estimator, plan.samples, k, kSpreadParts);
+    }
     for (std::int32_t m = 0; m < plan.mirror_count; ++m) {
         MirrorPlanOf<F>& mirror = plan.mirrors[m];
         if (!mirror.lobe.glossy) continue;

@@ -215,6 +215,7 @@ struct PlanHead {
     std::int32_t width, height;
     std::int32_t samples, antialias, edge_antialias, depth_limit;
     Sampling sampling;
+    float part_scale[kSpreadParts];  // makes every fourth lobe ray's sum count for a fourth of the whole
     std::uint32_t features;
     std::uint8_t exact_plan;
     std::int32_t solid_count, mirror_count, light_count;

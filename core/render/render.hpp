@@ -54,8 +54,6 @@ using FixedTileFunction = void (*)(const FixedPlan& plan, const Tile& tile, cons
 using DoubleTileFunction = void (*)(const DoublePlan& plan, const Tile& tile, const LinearImage& image,
                                     RayCounts& counts);
 
-constexpr int kSpreadParts = 4;  // of the lobe rays: a spread needs a multiple of so many
-
 /// How far apart the parts of the lobe rays lie, by pixel of a tile, row-major over the full tile side: the variance
 /// of the pixel's value, summed over its channels, if the parts were independent. 0 where no lobe ray is needed.
 struct TileSpread {

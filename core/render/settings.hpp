@@ -15,6 +15,8 @@ constexpr std::int32_t kMaxRotation = 0x7fffffff;
 constexpr std::int32_t kMaxDepth = 255;
 constexpr std::int32_t kMaxBranchDepth = 16;  // where a surface both reflects and transmits: the rays double each time
 
+constexpr int kSpreadParts = 4;  // of the lobe rays: a spread needs a multiple of so many
+
 /// What one pass over a frame has of its own: so many lobe rays, placed so (see Settings).
 struct Pass {
     std::int32_t samples, rotation;

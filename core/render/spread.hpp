@@ -1,7 +1,8 @@
 // How sure a lobe's average is, from its own rays: every fourth ray makes a small average of its own, and the four lie
 // the farther from one another, the less the whole can be trusted.
 //
-// A lattice of N points is four lattices of N/4, interleaved. With m_k the average over one of them and m over all,
+// A lattice of N points is four lattices of N/4, interleaved. With m_k the average over one of them, by what its rays
+// count for, and m over all,
 //
 //     variance of m  <  sum of (m_k - m)^2 / (R (R - 1)),  R = 4
 //
@@ -22,7 +23,7 @@ struct PartSums {
     Rgb<R> part[kSpreadParts];
 };
 
-/// The variance of the whole if the parts were independent, summed over the channels. Of N rays each part has N / R.
+/// The variance of the whole if the parts were independent, summed over the channels. Each counts for a fourth of it.
 template <class R>
 ZERKALO_INLINE R variance_of(const PartSums<R>& sums) {
     Rgb<R> mean = sums.part[0];
@@ -70,10 +71,12 @@ ZERKALO_INLINE void note(LobeParts<R>& parts, std::int32_t sample, const Rgb<Lig
 }
 
 template <class R>
-ZERKALO_INLINE void add_variance(TileSpread& spread, int first, const LobeParts<R>& parts) {
+ZERKALO_INLINE void add_variance(TileSpread& spread, int first, const PlanHead& plan, const LobeParts<R>& parts) {
     if constexpr (kTells<R>) {
+        PartSums<R> equal;
+        for (int k = 0; k < kSpreadParts; ++k) equal.part[k] = scaled(parts.part[k], R(plan.part_scale[k]));
         float* out = spread.variance + first;
-        store(out, load<R>(out) + variance_of<R>(parts));
+        store(out, load<R>(out) + variance_of<R>(equal));
     }
 }
 

@@ -75,21 +75,6 @@ ZERKALO_ONCE Rgb<Radiance<R>> local_light_anywhere(const PlanFor<R>& plan, Vec3<
     return sum;
 }
 
-template <class R>
-ZERKALO_INLINE void add(Rgb<LightSum<R>>& sum, Mask<R> mask, Rgb<Weight<R>> throughput, Rgb<Radiance<R>> light) {
-    const Rgb<LightSum<R>> share = throughput * light;
-    sum = {plus_where(mask, sum.r, share.r), plus_where(mask, sum.g, share.g), plus_where(mask, sum.b, share.b)};
-}
-
-/// The background, for as many rays that are known to miss everything.
-template <class R>
-ZERKALO_INLINE void add_missed(const PlanFor<R>& plan, Mask<R> mask, Rgb<Weight<R>> throughput, std::int32_t missed,
-                               Rgb<LightSum<R>>& sum) {
-    if (missed == 0) return;
-    const Rgb<Weight<R>> all{times(throughput.r, missed), times(throughput.g, missed), times(throughput.b, missed)};
-    add<R>(sum, mask, all, spread<Radiance<R>>(plan.background));
-}
-
 /// Lanes of `mask` go on along d from p with the given weight.
 template <class R>
 ZERKALO_INLINE void go_on(PathPacket<R>& next, Mask<R> mask, Vec3<Length<R>> p, Vec3<Direction<R>> d,
@@ -233,7 +218,7 @@ ZERKALO_INLINE void continue_at_mirror(const PlanFor<R>& plan, const PathPacket<
                                         : lobe_ray<R>(point, d, tangents_of(d), n, max_phong);
         go_on_in_lobe<R>(plan, one, max_phong | ggx, front, p, throughput, spot.id, next.one, sum, counts);
     } else {
-        const Rgb<W> part = as<W>(scaled(throughput, one_part_of<R>(plan.samples)));
+        const Rgb<W> part = as<W>(scaled(throughput, full_weight<R>(plan.sampling.estimator, plan.samples)));
         CandidateMask candidates;
         const Mask<R> sending = lanes_with_rays<R>(plan, lobe, p, d, part, front, candidates, sum);
         if (none(sending)) return;
