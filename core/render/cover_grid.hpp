@@ -82,14 +82,6 @@ ZERKALO_INLINE Mask<R> may_meet_any(const Plan& plan, CandidateMask solids, Vec3
     return meets;
 }
 
-/// Lanes of bits that are set.
-template <class R>
-ZERKALO_INLINE Mask<R> lanes_of_bits(std::uint64_t bits) {
-    alignas(64) float lanes[kWidth<R>];
-    for (int k = 0; k < kWidth<R>; ++k) lanes[k] = float(bits >> k & 1);
-    return load<R>(lanes) > R(0);
-}
-
 /// Adds F K_r times the covered light to the colours of all pixels that wait for their lobe rays, for the camera rays
 /// through the given point of each.
 template <class R>

@@ -2,9 +2,10 @@
 //
 //     I = background W + sum over lattice rays i that meet a solid of  s_i w_i (L_i - background)
 //
-// with s_i the ray's share of the lobe (1/N, but for the rim: optics/shares.hpp), w_i the lobe's weight and W their mean:
-// 1 for the seed's Phong lobe (rays below the horizon see the background), min(1, cos_i / cos_o) for max-Phong. Where no ray can meet a solid the sum is empty: the answer is exact without a
-// ray. Where the solids' faces f are covered first (render/cover_solids.hpp), with any shades c_f, the same is
+// with s_i the ray's share of the lobe (1/N, but for the rim: optics/shares.hpp), w_i the lobe's weight and W their
+// mean: 1 for the seed's Phong lobe (rays below the horizon see the background), min(1, cos_i / cos_o) for max-Phong.
+// Where no ray can meet a solid the sum is empty: the answer is exact without a ray. Where the solids' faces f are
+// covered first (render/cover_solids.hpp), with any shades c_f, the same is
 //
 //     I = background W + sum over f of (c_f - background) coverage_f
 //         + sum over i of  s_i (w_i (L_i - background) - sum over all f that ray i meets of (c_f - background))
@@ -176,23 +177,23 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
     store(queue.r + at, sum.r), store(queue.g + at, sum.g), store(queue.b + at, sum.b);
 }
 
-/// Adds F K_r I to the colours of a class of pixels whose lobe rays are all in.
+/// Adds F K_r I to the colours of the pixels that waited, from the sums of their lobe rays. Other lanes read any sum.
 template <class R>
-ZERKALO_INLINE void settle(GlossQueue& queue, const Plan& plan, const MirrorPlan& mirror, TileColours& colours) {
-    const R samples = R(rays_in_all(plan.sampling.estimator, plan.samples));
-    const Rgb<R> background = spread<R>(plan.background);
-    for (std::int32_t at = 0; at < queue.count; at += kWidth<R>) {
-        const R weight = mirror.lobe.max_phong ? load<R>(queue.weight + at) / samples : R(1);
-        const Rgb<R> mean{load<R>(queue.r + at) / samples, load<R>(queue.g + at) / samples,
-                          load<R>(queue.b + at) / samples};
-        const Rgb<R> seen = spread<R>(mirror.reflectance) * (scaled(background, weight) + mean);
-        store(queue.r + at, seen.r), store(queue.g + at, seen.g), store(queue.b + at, seen.b);
-    }
-    for (std::int32_t at = 0; at < queue.count; ++at) {
-        const int pixel = queue.pixel[at];
-        colours.r[pixel] += queue.r[at];
-        colours.g[pixel] += queue.g[at];
-        colours.b[pixel] += queue.b[at];
+ZERKALO_INLINE void settle(const GlossQueues& queues, std::uint64_t waited, const Plan& plan, const MirrorPlan& mirror,
+                           TileColours& colours) {
+    constexpr std::uint64_t kPacket = (std::uint64_t{1} << kWidth<R>)-1;
+    const GlossQueue& sums = queues.of_class[0];
+    const R rays = R(rays_in_all(plan.sampling.estimator, plan.samples)), zero = R(0);
+    const Rgb<R> background = spread<R>(plan.background), tint = spread<R>(mirror.reflectance);
+    for (int first = 0; first < kTilePixels; first += kWidth<R>) {
+        const std::uint64_t bits = waited >> first & kPacket;
+        if (bits == 0) continue;
+        const std::uint8_t* slots = queues.slot + first;
+        const R weight = mirror.lobe.max_phong ? gather<R>(sums.weight, slots) / rays : R(1);
+        const Rgb<R> mean{gather<R>(sums.r, slots) / rays, gather<R>(sums.g, slots) / rays,
+                          gather<R>(sums.b, slots) / rays};
+        const Rgb<R> seen = tint * (scaled(background, weight) + mean);
+        put(colours, first, select(lanes_of_bits<R>(bits), seen, Rgb<R>{zero, zero, zero}), true);
     }
 }
 
@@ -241,10 +242,11 @@ template <class R, class Aids>
 ZERKALO_ONCE void flush(GlossQueues& queues, const LatticeClasses& classes, const Plan& plan, const MirrorPlan& mirror,
                         CandidateMask candidates, const Aids& aids, std::uint32_t sample, TileColours& colours,
                         TileCounts& counts) {
-    for (int c = 0; c < kLatticeClasses; ++c) {
-        fill_queue<R>(queues.of_class[c], queues.waiting & pixels_of_class(classes, c), mirror.lobe.max_phong);
-    }
+    const std::uint64_t waiting = queues.waiting;
     queues.waiting = 0;
+    for (int c = 0; c < kLatticeClasses; ++c) {
+        fill_queue<R>(queues, c, waiting & pixels_of_class(classes, c), mirror.lobe.max_phong);
+    }
     const bool keyed = is_keyed(plan.sampling.estimator);
     LatticeChunk later[kClassChunks];
     GroupFrames<R> frames;
@@ -266,12 +268,12 @@ ZERKALO_ONCE void flush(GlossQueues& queues, const LatticeClasses& classes, cons
             }
         }
     }
-    for (int c = 0; c < kLatticeClasses; ++c) {
-        settle<R>(queues.of_class[c], plan, mirror, colours);
-        if constexpr (Aids::kAided) {
-            if (aids.spread != nullptr) settle_spread<R>(queues.of_class[c], aids, c, plan, mirror);
+    if constexpr (Aids::kAided) {
+        for (int c = 0; aids.spread != nullptr && c < kLatticeClasses; ++c) {
+            settle_spread<R>(queues.of_class[c], aids, c, plan, mirror);
         }
     }
+    settle<R>(queues, waiting, plan, mirror, colours);
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

@@ -27,9 +27,12 @@ struct GlossQueue {
 struct GlossQueues {
     GlossPoints points;
     GlossQueue of_class[kLatticeClasses];
-    std::uint64_t waiting;  // bit p: pixel p
-    std::uint32_t tile;     // its hash
+    std::uint8_t slot[kTilePixels];  // where in the queues a waiting pixel is, counted in floats
+    std::uint64_t waiting;           // bit p: pixel p
+    std::uint32_t tile;              // its hash
 };
+constexpr int kQueueFloats = sizeof(GlossQueue) / sizeof(float);
+static_assert((kLatticeClasses - 1) * kQueueFloats + kClassPixels <= 256, "a slot fits into a byte");
 
 /// The same sums apart for every kSpreadParts-th lobe ray: how far these parts lie from one another tells the error.
 struct GlossParts {
@@ -61,11 +64,16 @@ ZERKALO_INLINE void enqueue(GlossQueues& queues, Mask<R> mask, Vec3<R> p, Vec3<R
     queues.waiting |= std::uint64_t{bits_of(mask)} << first;
 }
 
-/// Fills a queue with the pixels of its class, its last packet with copies of the last one, and clears the sums.
+/// Fills the queue of class c with its pixels, its last packet with copies of the last one, and clears the sums.
 template <class R>
-ZERKALO_INLINE void fill_queue(GlossQueue& queue, std::uint64_t pixels, bool weighted) {
+ZERKALO_INLINE void fill_queue(GlossQueues& queues, int c, std::uint64_t pixels, bool weighted) {
+    GlossQueue& queue = queues.of_class[c];
     std::int32_t count = 0;
-    for (; pixels != 0; pixels &= pixels - 1) queue.pixel[count++] = static_cast<std::uint8_t>(first_of(pixels));
+    for (; pixels != 0; pixels &= pixels - 1) {
+        const int pixel = first_of(pixels);
+        queues.slot[pixel] = static_cast<std::uint8_t>(c * kQueueFloats + count);
+        queue.pixel[count++] = static_cast<std::uint8_t>(pixel);
+    }
     queue.count = count;
     if (count == 0) return;
     std::int32_t padded = count;

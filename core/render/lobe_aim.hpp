@@ -89,16 +89,19 @@ ZERKALO_ONCE void aim_group(GroupAim<R>& aim, const Plan& plan, const LobeData& 
         GroupCandidate<R>& candidate = aim.candidates[aim.count];
         candidate.k = k;
         candidate.reach = ~std::uint64_t{0};
-        auto some = Mask<R>(plan.exact_plan != 0);
+        if (plan.exact_plan) {
+            for (std::int32_t i = 0; i < frames.packets; ++i) candidate.allowed[i] = Mask<R>(true);
+            ++aim.count;
+            continue;
+        }
+        auto some = Mask<R>(false);
         for (std::int32_t i = 0; i < frames.packets; ++i) {
-            candidate.allowed[i] = Mask<R>(true);
-            if (plan.exact_plan) continue;
             candidate.allowed[i] = lobe_may_meet(solid, lobe, frames.p[i], frames.frame[i].m);
             some = some | candidate.allowed[i];
             aim.meets[i] = aim.meets[i] | candidate.allowed[i];
         }
         if (none(some)) continue;
-        if (!plan.exact_plan) candidate.reach = reach_of_chunk(plan, solid, chunk, pilot, frames);
+        candidate.reach = reach_of_chunk(plan, solid, chunk, pilot, frames);
         if (candidate.reach != 0) ++aim.count;
     }
 }

@@ -62,19 +62,24 @@ ZERKALO_INLINE Pixels<R> row_lanes(const Rect& tile, int first) {
     return row + load_places<R>(kRows, 0);
 }
 
+/// Lanes whose bit is set.
+template <class R>
+ZERKALO_INLINE Mask<R> lanes_of_bits(std::uint64_t bits) {
+    if constexpr (Formats<R>::kFixed || kWidth<R> == 1) {
+        auto set = mask_of<R>(false);
+        for (int k = 0; k < kWidth<R>; ++k) set_lane(set, k, (bits >> k & 1) != 0);
+        return set;
+    } else {
+        // A lane's bit makes a float of [1, 2) more than 1.
+        const auto here = Bits<R>(static_cast<std::uint32_t>(bits)) & load_bits<R>(kLaneNumbers.powers);
+        return from_bits(here | Bits<R>(0x3f800000u)) > R(1);
+    }
+}
+
 /// Lanes whose pixel is one of the tile's.
 template <class R>
 ZERKALO_INLINE Mask<R> lanes_of(const Tile& tile, int first) {
-    if (tile.pixels == kWholeTile) return mask_of<R>(true);
-    auto active = mask_of<R>(false);
-    if constexpr (Formats<R>::kFixed || kWidth<R> == 1) {
-        for (int k = 0; k < kWidth<R>; ++k) set_lane(active, k, (tile.pixels >> (first + k) & 1) != 0);
-    } else {
-        // A lane's bit makes a float of [1, 2) more than 1.
-        const auto here = Bits<R>(static_cast<std::uint32_t>(tile.pixels >> first)) & load_bits<R>(kLaneNumbers.powers);
-        active = from_bits(here | Bits<R>(0x3f800000u)) > R(1);
-    }
-    return active;
+    return tile.pixels == kWholeTile ? mask_of<R>(true) : lanes_of_bits<R>(tile.pixels >> first);
 }
 
 /// A point of the pixel, from its centre, in pixels.

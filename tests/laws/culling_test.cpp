@@ -11,8 +11,8 @@
 namespace zerkalo::laws {
 namespace {
 
-constexpr double kTailBound = 0x1p-11;        // the share of a lobe that culling may leave out
-constexpr std::int32_t kMostUnculled = 1024;  // half a sample of that many is the tail
+constexpr double kTailBound = 0x1p-13;        // the share of a lobe that culling may leave out
+constexpr std::int32_t kMostUnculled = 128;   // half of the outermost share of that many is more than the tail
 
 Image with_exact_plan(const Scene& scene, Settings settings) {
     settings.exact_plan = true;
@@ -103,7 +103,7 @@ void expect_less_than_the_tail_is_missing(const std::string& name, const Image& 
     EXPECT_LE(largest_difference(culled, exact), kTailBound * contrast) << name;
 }
 
-TEST(Culling, LeavesOutLessThanItsTailOfALobeBeyond1024Samples) {
+TEST(Culling, LeavesOutLessThanItsTailOfALobeOfMoreSamples) {
     for (const auto& [name, scene] : shipped_scenes()) {
         Settings settings = of_size(32, 24);
         settings.samples = 3000;
@@ -117,11 +117,11 @@ TEST(Culling, LeavesOutLessThanItsTailOfALobeBeyond1024Samples) {
 Scene balls_around_a_wide_lobe() {
     constexpr int kPerRing = kMaxSolids / 2;
     constexpr double kDistance = 4, kDegree = std::numbers::pi / 180;
-    constexpr double kExponent = 20;  // its cone without the tail: 45.9 degrees to each side
+    constexpr double kExponent = 20;  // its cone without the tail: 49.4 degrees to each side
     Scene scene;
     for (int k = 0; k < 2 * kPerRing; ++k) {
         const bool outer = k < kPerRing;
-        const double tilt = (outer ? 53 : 43) * kDegree, turn = 2 * std::numbers::pi * k / kPerRing;
+        const double tilt = (outer ? 57 : 46) * kDegree, turn = 2 * std::numbers::pi * k / kPerRing;
         Solid& ball = scene.solids[scene.solid_count++];
         ball.position = {kDistance * std::sin(tilt) * std::cos(turn), kDistance * std::sin(tilt) * std::sin(turn),
                          kDistance * std::cos(tilt)};

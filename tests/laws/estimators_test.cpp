@@ -127,14 +127,13 @@ TEST(Estimators, ConvergeAtAnEdgeAtTheirOwnRate) {
     }
 }
 
-// Known: -1/2, -1, about -5/4, -1. The lattice too reaches -1 and no more where the field has a gradient, for its
-// outermost ray stands alone for the rim of the lobe; but its error is far smaller from the first.
+// Known: -1/2, -1, about -5/4, -1; the lattice, whose shares shrink towards the rim, falls faster than all of them.
 TEST(Estimators, ConvergeOnASmoothFieldAtTheirOwnRate) {
     constexpr Bounds kBounds[] = {{Estimator::random, -0.62, -0.38},
                                   {Estimator::jittered, -1.2, -0.8},
                                   {Estimator::sobol, -1.7, -1.0},
                                   {Estimator::r2, -1.2, -0.5},
-                                  {Estimator::fibonacci, -1.2, -0.85}};
+                                  {Estimator::fibonacci, -2.1, -1.5}};
     constexpr int kMany = 64;
     double exact = 0;
     for (int rotation = 0; rotation < kMany; ++rotation) {

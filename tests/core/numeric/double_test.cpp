@@ -86,22 +86,6 @@ TEST(DoubleSamples, ArePhasesAndFractionsThatFloatRounds) {
     }
 }
 
-TEST(DoubleSamples, AreTheSharesThatFloatRounds) {
-    for (const std::uint32_t rotation : {0u, 1u, 77u}) {
-        const Sampling sampling = sampling_of(Estimator::fibonacci, rotation);
-        const LatticePart part = lattice_part(sampling, 0, 1);
-        for (const std::int32_t n : {1, 3, 16, 1000, 1 << 20}) {
-            for (std::int32_t s = 0; s < n; s += 1 + n / 61) {
-                const double u = share_point<double>(part, s, n);
-                const Real80 exact = (s + Real80(sampling.place) / kShareSteps) / n;
-                ASSERT_LE(std::abs(u - exact), exact * 0x1p-53L) << s << " of " << n;
-                // Float rounds the sum and the quotient.
-                ASSERT_LE(std::abs(share_point<float>(part, s, n) - u), u * 0x1p-23) << s << " of " << n;
-            }
-        }
-    }
-}
-
 TEST(DoubleSamples, OfEveryRuleAreThoseOfFloat) {
     // Float keeps 23 bits, and rounds once or twice more.
     constexpr double kRoom = 0x1p-21;

@@ -29,6 +29,71 @@ class P16 : public Lattice {};
 
 float inverse_of(float exponent) { return 1 / (exponent + 1); }
 
+/// The border of the shares, as the head of shares.hpp has it.
+Real80 psi(Real80 x) { return x < 0.125L ? 64 * x * x / 15 : (16 * x - 1) / 15; }
+
+/// What ray s of n counts for, of the whole lobe.
+Real80 share_of_ray(int s, int n) {
+    const Real80 full = 1 / Real80(rays_in_all(Estimator::fibonacci, n));
+    return s < rays_at_rim(Estimator::fibonacci, n) ? full * weight_at_rim<float>(s, n) : full;
+}
+
+TEST(Shares, GrowFromTheRimAndAreTheWholeLobeTogether) {
+    for (const int n : {1, 2, 3, 7, 8, 9, 16, 61, 64, 1000, 4096}) {
+        Real80 sum = 0;
+        for (int s = 0; s < n; ++s) {
+            // A single ray stands for all.
+            const Real80 wanted = n == 1 ? 1 : psi((s + 1.0L) / n) - psi(Real80(s) / n), share = share_of_ray(s, n);
+            ASSERT_NEAR(double(share), double(wanted), double(wanted) * 3e-7) << s << " of " << n;
+            if (s > 0) ASSERT_GE(share, share_of_ray(s - 1, n)) << s << " of " << n;
+            sum += share;
+        }
+        EXPECT_NEAR(double(sum), 1, 1e-6) << n;
+    }
+}
+
+TEST(Shares, HoldTheirPointsInFloatDoubleAndFixedPoint) {
+    for (const std::uint32_t rotation : {0u, 1u, 5u}) {
+        const Sampling sampling = sampling_of(Estimator::fibonacci, rotation);
+        for (const std::int32_t camera_rays : {1, 3}) {
+            const LatticePart part = lattice_part(sampling, 1, camera_rays);
+            for (const int n : {1, 5, 8, 16, 100, 5000}) {
+                for (int s = 0; s < n; s += 1 + n / 50) {
+                    const Real80 low = n == 1 ? 0 : psi(Real80(s) / n), high = n == 1 ? 1 : psi((s + 1.0L) / n);
+                    const Real80 exact = low + (high - low) * part.place[s & 1] * 0x1p-20L;
+                    const double u = share_point<double>(part, s, n);
+                    ASSERT_NEAR(u, double(exact), double(exact) * 0x1p-50) << s << " of " << n;
+                    ASSERT_NEAR(double(share_point<float>(part, s, n)), u, u * 0x1p-22) << s << " of " << n;
+                    const auto fixed = share_point<FixedNumbers<1>>(part, s, n);
+                    ASSERT_NEAR(std::ldexp(double(fixed.raw), -60), u, double(high - low) * 0x1p-11)
+                        << s << " of " << n;
+                }
+            }
+        }
+    }
+}
+
+// Together the rays of a smooth field must not lie too far out, or too far in.
+TEST(Shares, OddOnesHaveTheMirroredPlace) {
+    for (std::uint32_t rotation = 0; rotation < 50; ++rotation) {
+        const LatticePart part = lattice_part(sampling_of(Estimator::fibonacci, rotation), 0, 1);
+        EXPECT_EQ(part.place[0] + part.place[1], 1 << kPlaceBits) << rotation;
+    }
+}
+
+TEST(Shares, PartsOfALatticeAreScaledToCountAlike) {
+    constexpr int kParts = 4;
+    for (const int n : {4, 8, 16, 64, 1024}) {
+        for (int first = 0; first < kParts; ++first) {
+            Real80 sum = 0;
+            for (int s = first; s < n; s += kParts) sum += share_of_ray(s, n);
+            EXPECT_NEAR(double(sum * scale_of_part(Estimator::fibonacci, n, first, kParts)), 1.0 / kParts, 1e-6)
+                << "from " << first << " of " << n;
+        }
+    }
+    EXPECT_EQ(scale_of_part(Estimator::random, 16, 1, kParts), 1.0f);
+}
+
 // The mean over all rotations is the integral of each camera ray's own lobe, not only of the pixel's.
 TEST(LatticeParts, RotationsGiveEveryCameraSampleEveryPartOfTheShares) {
     constexpr int kRotationsAPart = 400;
@@ -38,7 +103,7 @@ TEST(LatticeParts, RotationsGiveEveryCameraSampleEveryPartOfTheShares) {
             for (std::int32_t k = 0; k < kRotationsAPart * parts; ++k) {
                 const Sampling sampling = sampling_of(Estimator::fibonacci, static_cast<std::uint32_t>(k));
                 const LatticePart part = lattice_part(sampling, static_cast<std::uint32_t>(a), parts);
-                ++seen[static_cast<std::size_t>(part.place * std::int64_t{parts} >> kPlaceBits)];
+                ++seen[static_cast<std::size_t>(part.place[0] * std::int64_t{parts} >> kPlaceBits)];
             }
             // Five standard deviations of a binomial count, hardly below those of Poisson's.
             for (const int count : seen) {
@@ -56,7 +121,7 @@ TEST(LatticeParts, ARotationGivesEachPartToOneCameraSample) {
             for (std::int32_t a = 0; a < parts; ++a) {
                 const LatticePart part = lattice_part(sampling_of(Estimator::fibonacci, rotation),
                                                       static_cast<std::uint32_t>(a), parts);
-                ++seen[static_cast<std::size_t>(part.place * std::int64_t{parts} >> kPlaceBits)];
+                ++seen[static_cast<std::size_t>(part.place[0] * std::int64_t{parts} >> kPlaceBits)];
             }
             for (const int count : seen) ASSERT_EQ(count, 1) << "rotation " << rotation << ", " << parts << " parts";
         }
@@ -94,13 +159,14 @@ TEST_P(P16, ShareOfRaysInsideAnAngleIsThatOfTheLobe) {
                 // Inside g lies the share 1 - cos^(n+1) g; 1 - cos g of this g, without cancellation:
                 const Real80 from_axis = -std::expm1(std::log1p(-share) * inverse_of(n));
                 const Real80 across = std::sqrt(from_axis * (2 - from_axis));
-                int inside = 0;
+                Real80 inside = 0;
                 for (int k = 0; k < count; ++k) {
                     const Exact3 ray = p[static_cast<std::size_t>(k)];
-                    inside += std::hypot(ray.x, ray.y) < across;
+                    if (std::hypot(ray.x, ray.y) < across) inside += share_of_ray(k, count);
                 }
                 // The midpoint rule is never off by more than half a ray; a ray on the cone itself may fall either way.
-                ASSERT_LE(std::abs(inside - share * count), 0.5L + 1e-3L) << "n " << n << ", " << count << " rays";
+                const Real80 room = (0.5L + 1e-3L) / rays_in_all(Estimator::fibonacci, count);
+                ASSERT_LE(std::abs(inside - share), room) << "n " << n << ", " << count << " rays";
             }
         }
     }
@@ -113,8 +179,8 @@ TEST_P(P16, MeanCosineIsThatOfTheLobe) {
     for (const float n : {0.0f, 1.0f, 5.0f, 1e3f, 1e6f}) {
         const PointList p = points(kRays, inverse_of(n));
         Real80 sum = 0;
-        for (std::size_t k = 0; k < kRays; ++k) sum += p[k].z;
-        EXPECT_LE(std::abs(sum / kRays - (n + 1.0L) / (n + 2.0L)), kRoom) << "n " << n;
+        for (int k = 0; k < kRays; ++k) sum += share_of_ray(k, kRays) * p[static_cast<std::size_t>(k)].z;
+        EXPECT_LE(std::abs(sum - (n + 1.0L) / (n + 2.0L)), kRoom) << "n " << n;
     }
 }
 
@@ -127,8 +193,8 @@ TEST_P(P15, MaxPhongAlbedoAtNormalIncidenceIsTheClosedForm) {
         Floats weight(kRays);
         optics().weight(p.z.data(), 1, weight.data(), kRays);
         Real80 sum = 0;
-        for (const float w : weight) sum += w;
-        EXPECT_LE(std::abs(sum / kRays - (n + 1.0L) / (n + 2.0L)), kRoom) << "n " << n;
+        for (int k = 0; k < kRays; ++k) sum += share_of_ray(k, kRays) * weight[static_cast<std::size_t>(k)];
+        EXPECT_LE(std::abs(sum - (n + 1.0L) / (n + 2.0L)), kRoom) << "n " << n;
     }
 }
 
