@@ -87,6 +87,24 @@ TEST(StudyRegions, AnImageInTheMirrorHasAnOutlineToo) {
     EXPECT_GT(pixels_of(smooth), 0);
 }
 
+// A lamp aside lights half of the ball: no lobe that meets the other half's border is smooth.
+TEST(StudyRegions, NoRimOfAShadowIsSmooth) {
+    Scene scene = staged();
+    scene.camera.position = {1.5, 0, 1};
+    scene.camera.view = {-1.5, 0, -3};
+    scene.mirrors[0].lobe_exponent = 20000;
+    scene.mirrors[0].specular = 0;
+    const std::int64_t dark = pixels_of(mask_of(regions_of_scene(scene), Region::smooth));
+    scene.light_count = 1;
+    scene.lights[0].position = {0, 50, -0.2};
+    const Regions half = regions_of_scene(scene);
+    EXPECT_LT(pixels_of(mask_of(half, Region::smooth)), dark);
+    EXPECT_GT(pixels_of(mask_of(half, Region::smooth)), dark / 2);
+    // From all around the mirror everything that it shows is lit.
+    scene.lights[0].position = {0.3, 0.1, -1.9};
+    EXPECT_GT(pixels_of(mask_of(regions_of_scene(scene), Region::smooth)), pixels_of(mask_of(half, Region::smooth)));
+}
+
 TEST(StudyRegions, ADullerMirrorHasWiderEdges) {
     Scene scene = staged();
     const auto edges = [&](double exponent) {

@@ -1,5 +1,7 @@
 #include "tools/study/regions.hpp"
 
+#include "core/optics/shares.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -20,6 +22,17 @@ Material flat_material(const Rgb<double>& color) {
     return material;
 }
 
+// Mirrors that show what they reflect and nothing else, every ray with the same weight.
+void show_reflections_alone(Scene& scene) {
+    for (int k = 0; k < scene.mirror_count; ++k) {
+        Mirror& mirror = scene.mirrors[k];
+        mirror.lobe = Lobe::phong;
+        mirror.color = {1, 1, 1};
+        mirror.ambient = mirror.diffuse = mirror.specular = 0;
+        mirror.reflection = 1;
+    }
+}
+
 // No lights, ambient light alone: a solid's colour is (its number, 1, its number squared), the background (0, 1, 0).
 std::unique_ptr<Scene> numbered(const Scene& scene) {
     auto ids = std::make_unique<Scene>(scene);
@@ -30,13 +43,7 @@ std::unique_ptr<Scene> numbered(const Scene& scene) {
         const double id = (k + 1) * step_of(scene);
         ids->solids[k].material = flat_material({id, 1, id * id});
     }
-    for (int k = 0; k < ids->mirror_count; ++k) {
-        Mirror& mirror = ids->mirrors[k];
-        mirror.lobe = Lobe::phong;  // every ray has the same weight
-        mirror.color = {1, 1, 1};
-        mirror.ambient = mirror.diffuse = mirror.specular = 0;
-        mirror.reflection = 1;
-    }
+    show_reflections_alone(*ids);
     return ids;
 }
 
@@ -47,6 +54,30 @@ Settings settings_for(const ImageSize& size, int depth_limit) {
     settings.depth_limit = depth_limit;
     settings.samples = kLobeSamples;
     return settings;
+}
+
+constexpr int kChannels = 3;
+
+// Lights `first` and the next two, each in a channel of its own; solids are white where they are lit and black
+// elsewhere: a highlight with the exponent 0 is the same from everywhere.
+std::unique_ptr<Scene> lit(const Scene& scene, int first) {
+    auto shadows = std::make_unique<Scene>(scene);
+    shadows->ambient = shadows->background = {0, 0, 0};
+    shadows->light_count = std::min(kChannels, scene.light_count - first);
+    for (int j = 0; j < shadows->light_count; ++j) {
+        Light& light = shadows->lights[j] = scene.lights[first + j];
+        light.color = {j == 0 ? 1.0 : 0.0, j == 1 ? 1.0 : 0.0, j == 2 ? 1.0 : 0.0};
+        light.intensity = 1;
+        light.falloff = Falloff::none;
+    }
+    for (int k = 0; k < shadows->solid_count; ++k) {
+        Material& material = shadows->solids[k].material = flat_material({1, 1, 1});
+        material.ambient = 0;
+        material.specular = 1;
+        material.shininess = 0;
+    }
+    show_reflections_alone(*shadows);
+    return shadows;
 }
 
 // The object that the camera ray meets first: red is its number.
@@ -103,6 +134,17 @@ Mask silhouettes_of(const PixelGrid& grid, const ImageSize& size) {
     return mask;
 }
 
+// Takes the pixels away whose lobe meets lit and unlit places.
+void leave_out_shadow_rims(const Renderer& renderer, const Scene& scene, const ImageSize& size, Mask& mask) {
+    constexpr float kRounding = 1e-5f;  // far below what the ray at the rim of a lobe counts for
+    for (int first = 0; first < scene.light_count; first += kChannels) {
+        const LightPicture lights = rendered(renderer, *lit(scene, first), settings_for(size, 1), Number::floating);
+        for (std::size_t i = 0; i < lights.rgb.size(); ++i) {
+            if (lights.rgb[i] > kRounding && lights.rgb[i] < 1 - kRounding) mask[i / kChannels] = false;
+        }
+    }
+}
+
 }  // namespace
 
 std::int64_t pixels_of(const Mask& mask) { return std::count(mask.begin(), mask.end(), true); }
@@ -112,6 +154,7 @@ Regions regions_of(const Renderer& renderer, const Scene& scene, const ImageSize
     const LightPicture lobes = rendered(renderer, *numbered(scene), settings_for(size, 1), Number::floating);
     const PixelGrid grid(objects, images);
     const double step = step_of(scene), mirrors_begin = (scene.solid_count + 0.5) * step;
+    const double least_ray = weight_at_rim<double>(0, kLobeSamples) / rays_in_all(Estimator::fibonacci, kLobeSamples);
     const std::size_t pixels = objects.rgb.size() / 3;
 
     Regions regions;
@@ -121,12 +164,13 @@ Regions regions_of(const Renderer& renderer, const Scene& scene, const ImageSize
     for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
         if (grid.object(pixel) < mirrors_begin || !grid.front(pixel)) continue;
         regions[static_cast<std::size_t>(Region::mirror)][pixel] = true;
-        // One stray ray of the lobe moves the variance of the numbers by step^2 / kLobeSamples.
+        // One stray ray of the lobe moves the variance of the numbers by step^2 times what it counts for.
         const double mean = lobes.rgb[3 * pixel], variance = lobes.rgb[3 * pixel + 2] - mean * mean;
-        const bool one_object = variance < step * step / (2 * kLobeSamples);
+        const bool one_object = variance < step * step * least_ray / 2;
         if (!one_object) regions[static_cast<std::size_t>(Region::edges)][pixel] = true;
         if (one_object && mean > step / 2) regions[static_cast<std::size_t>(Region::smooth)][pixel] = true;
     }
+    leave_out_shadow_rims(renderer, scene, size, regions[static_cast<std::size_t>(Region::smooth)]);
     return regions;
 }
 

@@ -11,7 +11,7 @@ namespace zerkalo::study {
 /// picture: every pixel. mirror: the ray through the pixel's centre meets the front of a mirror first.
 /// silhouettes: the pixel above, below, left or right meets another object, or in the polished mirror another image.
 /// edges: pixels of `mirror` whose lobe meets more than one object (background included).
-/// smooth: pixels of `mirror` whose lobe meets one solid and nothing else.
+/// smooth: pixels of `mirror` whose lobe meets one solid and nothing else, and no rim of a shadow on it.
 enum class Region { picture, mirror, silhouettes, edges, smooth };
 constexpr int kRegionCount = 5;
 constexpr const char* kRegionNames[kRegionCount] = {"picture", "mirror", "silhouettes", "edges", "smooth"};
@@ -23,7 +23,7 @@ using Regions = std::array<Mask, kRegionCount>;
 inline const Mask& mask_of(const Regions& regions, Region region) { return regions[static_cast<std::size_t>(region)]; }
 std::int64_t pixels_of(const Mask& mask);
 
-/// Renders three small pictures. Throws as rendered() does.
+/// Renders three small pictures, and one for every three lights. Throws as rendered() does.
 Regions regions_of(const Renderer& renderer, const Scene& scene, const ImageSize& size);
 
 }  // namespace zerkalo::study
