@@ -46,6 +46,16 @@ TEST(StudySeries, ASlopeIsThatOfItsRowsAlone) {
     EXPECT_EQ(&series_with(all, rows[1]), &all[1]);
 }
 
+TEST(StudySeries, FewSamplesAreFittedOnlyWhereThereAreNoOthers) {
+    std::vector<Row> rows;
+    for (std::int64_t n = 4; n <= 64; n *= 2) {
+        rows.push_back(row_with("a", n, 1, n < 16 ? 1 : 1 / static_cast<double>(n)));
+    }
+    EXPECT_NEAR(series_of(rows)[0].slope(Region::smooth).value, -1, 1e-9);
+    rows.pop_back();
+    EXPECT_LT(series_of(rows)[0].slope(Region::smooth).value, -1.5);
+}
+
 TEST(StudySeries, WhatTheReferencesCannotTellIsNotFitted) {
     std::vector<Row> rows;
     for (std::int64_t n = 4; n <= 64; n *= 2) {

@@ -86,7 +86,8 @@ std::string slope_cell(const Estimate& slope) {
 
 std::string slopes_text(const std::vector<Row>& rows) {
     std::string text = "## Slopes\n\nError ~ N^slope, fitted from N = " + std::to_string(kFirstFittedSamples) +
-                       " on, with 95 % intervals; `-` where fewer than three settings are resolved.\n\n"
+                       " on (short series from " + std::to_string(kFirstFittedOfFew) +
+                       " on), with 95 % intervals; `-` where fewer than three settings are resolved.\n\n"
                        "| scene | estimator | numbers | mirror | edges | smooth |\n|---|---|---|---|---|---|\n";
     for (const Series& series : series_of(rows)) {
         if (series.asked) continue;

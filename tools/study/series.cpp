@@ -1,6 +1,7 @@
 #include "tools/study/series.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace zerkalo::study {
 namespace {
@@ -10,15 +11,21 @@ bool belongs(const Series& series, const Row& row) {
            series.antialias == row.antialias && series.asked == (row.asked_error > 0);
 }
 
-Estimate slope_of(const Series& series, Region region) {
+/// Over the resolved rows from so many samples on.
+Estimate slope_from(const Series& series, Region region, std::int64_t first) {
     std::vector<double> samples, errors;
     for (const Row* row : series.rows) {
         const double error = error_in(*row, region);
-        if (row->samples < kFirstFittedSamples || error <= row->of(region).zone || error <= 0) continue;
+        if (row->samples < first || error <= row->of(region).zone || error <= 0) continue;
         samples.push_back(static_cast<double>(row->samples));
         errors.push_back(error);
     }
     return log_log_slope(samples, errors);
+}
+
+Estimate slope_of(const Series& series, Region region) {
+    const Estimate slope = slope_from(series, region, kFirstFittedSamples);
+    return std::isnan(slope.value) ? slope_from(series, region, kFirstFittedOfFew) : slope;
 }
 
 }  // namespace

@@ -7,8 +7,9 @@
 
 namespace zerkalo::study {
 
-/// Slopes are fitted from this number of samples on: below, the lattice is no lattice yet.
-constexpr std::int64_t kFirstFittedSamples = 4;
+/// Slopes are fitted from this number of samples on: below, the lattice is no lattice yet, and its few rays pass by
+/// a highlight. A series with fewer than three resolved rows from there on is fitted from the other.
+constexpr std::int64_t kFirstFittedSamples = 16, kFirstFittedOfFew = 4;
 
 struct Series {
     std::string scene, number, estimator;
