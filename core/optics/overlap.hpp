@@ -4,9 +4,8 @@
 //     coverage of both = [the axis is inside of both] - 1/(2 pi) integral of cos^(n+1) dphi along the parts
 //                        of each outline that lie inside of the other
 //
-// One region's sides are kept, in lanes; those of the other are handed over one by one, clipped by them and summed; then
-// the same with the roles changed. Sides that pass the profile's cone bound nothing in it: a convex region leaves a
-// convex cone through its own sides only.
+// A way along an outline keeps its sides, in lanes, and clips them by kept ones of the other region. Sides that pass the
+// profile's cone bound nothing in it: a convex region leaves a convex cone through its own sides only.
 // Source of the clipping by planes: Cyrus, Beck, "Generalized Two- and Three-Dimensional Clipping", 1978.
 #pragma once
 
@@ -18,32 +17,24 @@ constexpr int kMostSides = 58;  // a tube's outline has two arcs, their ends and
 constexpr int kArcPanels = 4;   // an arc is passed in so many panels
 constexpr int kMostPanelSides = (kMostSides - 8) / (2 * kArcPanels);
 
-/// Sides of a region that cross the cone, the region to the left of the way from a to b; zero in lanes without one.
+/// Sides that cross the cone, their region to the left of the way from a to b; zero in lanes without one.
 template <class R>
 struct Sides {
     Vec3<R> a[kMostSides], b[kMostSides];
     std::int32_t count;
 };
 
-/// A way along a whole outline: its sides are kept, or clipped by kept ones and summed.
+/// A way along a whole outline.
 template <class R>
 struct Walk {
-    Sides<R>* kept;          // where they go, or null
-    const Sides<R>* within;  // what they are clipped by, if not kept
-    Mask<R> inside;          // the axis lies inside
-    Mask<R> crosses;         // some side crosses the cone
-    R share;                 // of what is inside
+    Sides<R>& sides;
+    bool keeps;                // its sides are added to these, as long as there is room
+    std::int32_t clip_count;   // it is clipped by so many of the first of them; -1: nobody asks for its share
+    bool full = false;         // there was no room
+    Mask<R> inside{true};      // the axis lies inside
+    Mask<R> crosses{false};    // some side crosses the cone
+    R share{0};                // of what is inside of the sides that clip it
 };
-
-template <class R>
-ZERKALO_INLINE Walk<R> keeping(Sides<R>& sides) {
-    sides.count = 0;
-    return {&sides, nullptr, Mask<R>(true), Mask<R>(false), R(0)};
-}
-template <class R>
-ZERKALO_INLINE Walk<R> clipped_by(const Sides<R>& sides) {
-    return {nullptr, &sides, Mask<R>(true), Mask<R>(false), R(0)};
-}
 
 /// Lanes in which the outline's region has something of the cone.
 template <class R>
@@ -51,11 +42,12 @@ ZERKALO_INLINE Mask<R> any_of(const Walk<R>& walk) {
     return walk.inside | walk.crosses;
 }
 
-/// edge_share of the part of an edge that is inside of all the sides.
+/// edge_share of the part of the edge from a to b that is inside of the sides from number `first` to `end`.
 template <class R>
-ZERKALO_INLINE R clipped_share(const LobeProfile& profile, const Sides<R>& sides, Vec3<R> n, Vec3<R> a, Vec3<R> b) {
+ZERKALO_ONCE R clipped_share(const LobeProfile& profile, const Sides<R>& sides, std::int32_t first, std::int32_t end,
+                             const Vec3<R>& a, const Vec3<R>& b) {
     R from = R(0), to = R(1);
-    for (std::int32_t k = 0; k < sides.count; ++k) {
+    for (std::int32_t k = first; k < end; ++k) {
         const Vec3<R> inwards = cross(sides.a[k], sides.b[k]);
         const R at_a = dot(inwards, a), at_b = dot(inwards, b);
         const auto leaves_a = at_a < R(0), leaves_b = at_b < R(0);
@@ -67,7 +59,7 @@ ZERKALO_INLINE R clipped_share(const LobeProfile& profile, const Sides<R>& sides
     const auto some = from < to;
     if (none(some)) return R(0);
     const Vec3<R> way = b - a;
-    return select(some, edge_share(profile, n, a + way * from, a + way * to), R(0));
+    return select(some, edge_share(profile, cross(a, b), a + way * from, a + way * to), R(0));
 }
 
 /// One side of the outline, from a to b: the region lies to its left in the lanes of `left`, to its right in those of
@@ -81,16 +73,17 @@ ZERKALO_ONCE void pass_side(Walk<R>& walk, const LobeProfile& profile, const Vec
     const auto crosses = (left | right) & part_in_cone(profile, n, a, b).crosses;
     if (none(crosses)) return;
     walk.crosses = walk.crosses | crosses;
-    if (walk.kept != nullptr) {
-        Sides<R>& sides = *walk.kept;
-        const Vec3<R> nowhere{R(0), R(0), R(0)};
-        sides.a[sides.count] = select(crosses, select(left, a, b), nowhere);
-        sides.b[sides.count] = select(crosses, select(left, b, a), nowhere);
-        ++sides.count;
-    } else {
-        const R share = clipped_share(profile, *walk.within, n, a, b);
-        walk.share = walk.share + select(crosses, select(left, share, -share), R(0));
+    const Vec3<R> nowhere{R(0), R(0), R(0)};
+    const Vec3<R> from = select(crosses, select(left, a, b), nowhere), to = select(crosses, select(left, b, a), nowhere);
+    Sides<R>& sides = walk.sides;
+    if (walk.clip_count >= 0) {
+        walk.share = walk.share + clipped_share(profile, sides, 0, walk.clip_count, from, to);
     }
+    if (!walk.keeps) return;
+    walk.full = walk.full || sides.count == kMostSides;
+    if (walk.full) return;
+    sides.a[sides.count] = from, sides.b[sides.count] = to;
+    ++sides.count;
 }
 
 /// May a way from a to b that stays inside of the ball over both come into the profile's cone?

@@ -36,38 +36,61 @@ ZERKALO_INLINE ShadedWay way_of(const Plan& plan, const CoveredSolid& cover, int
     return {kCapFace, shade(kCapFace) - shade(kLateralFace)};
 }
 
+/// The outline of solid `before`: its sides are the first that are kept.
+template <class R>
+ZERKALO_INLINE Walk<R> keep_hider(Sides<R>& sides, const Outlines<R>& of) {
+    sides.count = 0;
+    Walk<R> hider{sides, true, -1};
+    walk_outline(hider, of, of.before, kWholeOutline);
+    return hider;
+}
+
+/// What the hider's kept sides, the first of all, have inside of a face of the solid behind it, the others.
+template <class R>
+ZERKALO_INLINE R share_of_hider(const LobeProfile& profile, const Sides<R>& sides, std::int32_t count) {
+    R sum = R(0);
+    for (std::int32_t k = 0; k < count; ++k) {
+        sum = sum + clipped_share(profile, sides, count, sides.count, sides.a[k], sides.b[k]);
+    }
+    return sum;
+}
+
+/// The same where there is no room for both: one after the other, and then the hider's own again.
+template <class R>
+ZERKALO_INLINE R share_of_hider_in_turn(Sides<R>& sides, const Outlines<R>& of, int face) {
+    sides.count = 0;
+    Walk<R> behind{sides, true, -1};
+    walk_outline(behind, of, of.behind, face);
+    Walk<R> hider{sides, false, sides.count};
+    walk_outline(hider, of, of.before, kWholeOutline);
+    keep_hider(sides, of);
+    return hider.share;
+}
+
 /// What solid `before` hides of the covered light of `behind`, in the lanes of `here`.
 template <class R>
-ZERKALO_ONCE Rgb<R> hidden_by(const TileCover& cover, const CoveredSolid& behind, int before, const Plan& plan,
-                              const Vec3<R>& p, const LobeFrame<R>& frame, const Mask<R>& here) {
-    const int panel = cover.panel[behind.k], panel_before = cover.panel[before];
+ZERKALO_ONCE Rgb<R> hidden_by(const CoveredSolid& behind, const Plan& plan, const Outlines<R>& of, const Mask<R>& here) {
     const Rgb<R> nothing = spread<R>(Rgb<float>{0, 0, 0});
-    Sides<R> kept;
-    Walk<R> outline = keeping(kept);
-    walk_outline(outline, plan, before, kWholeOutline, panel_before, p, frame);
-    const auto inside = outline.inside, some = here & any_of(outline);
+    Sides<R> sides;
+    const Walk<R> hider = keep_hider(sides, of);
+    const auto some = here & any_of(hider);
     if (none(some)) return nothing;
     Rgb<R> sum = nothing;
-    const int ways = way_count(plan, behind);
-    for (int k = 0; k < ways; ++k) {
+    const std::int32_t kept = sides.count;
+    for (int k = 0; k < way_count(plan, behind); ++k) {
         const ShadedWay way = way_of(plan, behind, k);
         if (brings_nothing(way.light)) continue;
-        Walk<R> face = clipped_by(kept);
-        walk_outline(face, plan, behind.k, way.face, panel, p, frame);
-        sum = sum + scaled(way.light, select(inside & face.inside, R(1), R(0)) - face.share);
+        sides.count = kept;
+        Walk<R> face{sides, true, kept};
+        walk_outline(face, of, of.behind, way.face);
+        const auto both = some & any_of(face);
+        if (none(both)) continue;
+        const R around = face.share + (face.full ? share_of_hider_in_turn(sides, of, way.face)
+                                                 : share_of_hider(plan.mirrors[0].profile, sides, kept));
+        const R share = select(hider.inside & face.inside, R(1), R(0)) - around;
+        sum = sum + scaled(way.light, select(both, share, R(0)));
     }
-    for (int k = 0; k < ways; ++k) {
-        const ShadedWay way = way_of(plan, behind, k);
-        if (brings_nothing(way.light)) continue;
-        Walk<R> face = keeping(kept);
-        walk_outline(face, plan, behind.k, way.face, panel, p, frame);
-        const auto shared = some & any_of(face);
-        if (none(shared)) continue;
-        outline = clipped_by(kept);
-        walk_outline(outline, plan, before, kWholeOutline, panel_before, p, frame);
-        sum = sum - scaled(way.light, select(shared, outline.share, R(0)));
-    }
-    return select(some, sum, nothing);
+    return sum;
 }
 
 /// The covered light of a tile's solids that others hide.
@@ -82,7 +105,9 @@ ZERKALO_ONCE Rgb<R> hidden_light(const TileCover& cover, const Plan& plan, const
         for (CandidateMask left = behind.hidden_by; left != 0; left &= left - 1) {
             const int before = first_of(left);
             const auto here = reaches & lobe_may_meet(plan.solids[before], lobe, p, frame.m);
-            if (any(here)) sum = sum + hidden_by(cover, behind, before, plan, p, frame, here);
+            if (none(here)) continue;
+            const Outlines<R> of{plan, cover, p, frame, behind.k, before};
+            sum = sum + hidden_by(behind, plan, of, here);
         }
     }
     return sum;

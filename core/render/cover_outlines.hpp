@@ -34,8 +34,8 @@ ZERKALO_INLINE Vec3<R> place_on(const Rim<R>& rim, SineCosine<R> at, R scale) {
 /// kArcPanels times `panel` sides around a rim from the angle `from` on, which becomes the last. A panel that passes the
 /// lobe is one side: whether the axis is inside, that tells as well.
 template <class R>
-ZERKALO_INLINE void pass_arc(Walk<R>& walk, const LobeProfile& profile, const Rim<R>& rim, SineCosine<R>& from, R step,
-                             int panel, const Mask<R>& left, const Mask<R>& right) {
+ZERKALO_ONCE void pass_arc(Walk<R>& walk, const LobeProfile& profile, const Rim<R>& rim, SineCosine<R>& from,
+                           const R& step, int panel, const Mask<R>& left, const Mask<R>& right) {
     const SineCosine<R> turn = sincos_turn(step), panel_turn = sincos_turn(step * R(float(panel)));
     const R scale = corner_scale(step);
     const auto exists = left | right;
@@ -86,8 +86,8 @@ struct RimEnds {
 /// The part of a rim that belongs to the silhouette, from -B to B, and in lanes of `whole`, where B is pi, back to its
 /// start.
 template <class R>
-ZERKALO_INLINE RimEnds<R> pass_rim(Walk<R>& walk, const LobeProfile& profile, const Rim<R>& rim, R sine, R cosine,
-                                   int panel, bool top, const Mask<R>& exists, const Mask<R>& whole) {
+ZERKALO_ONCE RimEnds<R> pass_rim(Walk<R>& walk, const LobeProfile& profile, const Rim<R>& rim, const R& sine,
+                                 const R& cosine, int panel, bool top, const Mask<R>& exists, const Mask<R>& whole) {
     constexpr float kFifthOfTurn = 1.2566371f;  // 2 pi / 5
     const Mask<R> nowhere(false);
     const Mask<R> &left = top ? nowhere : exists, &right = top ? exists : nowhere;
@@ -167,21 +167,30 @@ ZERKALO_ONCE void walk_polyhedron(Walk<R>& walk, const LobeProfile& profile, con
     if (face != kWholeOutline) walk.inside = walk.inside & view.looks_here[face];
 }
 
-/// The outline of solid k, or of its face: a tube's cap, or one of a polyhedron in the order of its Outline. `panel`:
-/// sides of a quarter of the arcs of a tube's rims.
+/// Two solids, one before the other, seen from a packet's places.
 template <class R>
-ZERKALO_ONCE void walk_outline(Walk<R>& walk, const Plan& plan, int k, int face, int panel, const Vec3<R>& p,
-                               const LobeFrame<R>& frame) {
-    const SolidPlan& solid = plan.solids[k];
-    const LobeProfile& profile = plan.mirrors[0].profile;
+struct Outlines {
+    const Plan& plan;
+    const TileCover& cover;
+    const Vec3<R>& p;
+    const LobeFrame<R>& frame;
+    int behind, before;
+};
+
+/// The outline of solid k, or of its face: a tube's cap, or one of a polyhedron in the order of its Outline.
+template <class R>
+ZERKALO_ONCE void walk_outline(Walk<R>& walk, const Outlines<R>& of, int k, int face) {
+    const SolidPlan& solid = of.plan.solids[k];
+    const LobeProfile& profile = of.plan.mirrors[0].profile;
+    const int panel = of.cover.panel[k];
     if (solid.shape == ShapeKind::sphere) {
-        walk_ball(walk, profile, solid.sphere, p, frame);
+        walk_ball(walk, profile, solid.sphere, of.p, of.frame);
     } else if (solid.shape == ShapeKind::half_spaces) {
-        walk_polyhedron(walk, profile, plan, k, face, p, frame);
+        walk_polyhedron(walk, profile, of.plan, k, face, of.p, of.frame);
     } else if (face == kWholeOutline) {
-        walk_tube(walk, profile, solid.tube, panel, p, frame);
+        walk_tube(walk, profile, solid.tube, panel, of.p, of.frame);
     } else {
-        walk_cap(walk, profile, solid.tube, panel + (panel + 2) / 2, p, frame);
+        walk_cap(walk, profile, solid.tube, panel + (panel + 2) / 2, of.p, of.frame);
     }
 }
 

@@ -208,11 +208,9 @@ ZERKALO_INLINE bool is_smooth(const TileCover& cover, const Plan& plan, const Ti
     // The error is 0.046 (span / 4)^4 of a step.
     constexpr float kWidestSpan = 0.9f;
     float room = cover.solids[0].room;
-    for (std::int32_t i = 0; i < cover.count; ++i) {
-        room = min(room, cover.solids[i].room);
-        for (CandidateMask left = cover.solids[i].hidden_by; left != 0; left &= left - 1) {
-            room = min(room, room_before(plan.solids[first_of(left)], lobe));
-        }
+    for (std::int32_t i = 1; i < cover.count; ++i) room = min(room, cover.solids[i].room);
+    for (CandidateMask left = cover.hiders; left != 0; left &= left - 1) {
+        room = min(room, room_before(plan.solids[first_of(left)], lobe));
     }
     const float span = 1.42f * (lobe.turn + lobe.stray / room) * kConeDeviations;
     return room > 0 && span * span <= kWidestSpan * kWidestSpan * plan.mirrors[0].profile.tangent2;
