@@ -76,14 +76,14 @@ template <class R>
 ZERKALO_INLINE EdgePart<R> part_in_cone(const LobeProfile& profile, Vec3<R> n, Vec3<R> a, Vec3<R> b) {
     const R across2 = n.x * n.x + n.y * n.y;
     const auto a_ahead = a.z > R(0), b_ahead = b.z > R(0);
-    const auto near = (n.z * n.z < R(profile.tangent2) * across2) & (a_ahead | b_ahead);
+    const Mask<R> near = (n.z * n.z < R(profile.tangent2) * across2) & (a_ahead | b_ahead);
     if (none(near)) return {near, R(0), R(0), R(0)};
     const R inverse = R(1) / sqrt(across2);
     const R offset = n.z * inverse;
     const R reach = sqrt(max(R(profile.tangent2) - offset * offset, R(0)));
     const R at_a = (a.x * n.y - a.y * n.x) * inverse / a.z, at_b = (b.x * n.y - b.y * n.x) * inverse / b.z;
     const R from = select(a_ahead, max(at_a, -reach), -reach), to = select(b_ahead, min(at_b, reach), reach);
-    return {near & (from < to), offset, from, to};
+    return {Mask<R>(near & (from < to)), offset, from, to};
 }
 
 /// 1/(2 pi) integral of cos^(n+1) dphi along the great circle from a to b; n as for part_in_cone.

@@ -13,7 +13,7 @@
 
 namespace zerkalo::inline ZERKALO_ISA {
 
-constexpr int kMostSides = 58;  // a tube's outline has two arcs, their ends and two generators; a prism's at most 36
+constexpr int kMostSides = 48;  // a tube's outline has two arcs, their ends and two generators; a prism's at most 36
 constexpr int kArcPanels = 4;   // an arc is passed in so many panels
 constexpr int kMostPanelSides = (kMostSides - 8) / (2 * kArcPanels);
 
