@@ -63,9 +63,15 @@ ZERKALO_INLINE R turning(Vec3<R> a, Vec3<R> b) {
     return a.x * b.y - a.y * b.x;
 }
 
-/// The part of an edge, a great circle from a to b, that lies in the profile's cone: in the plane at distance 1 before
-/// the apex the edge's line passes the axis at `offset`, and positions on the line count from there. `n` is a x b, or
-/// that of a longer edge of which this one is a part. Lanes that do not cross the cone are meaningless.
+/// May the edge, a great circle from a to b, come into the profile's cone? `n` is a x b, or that of a longer edge of which
+/// this one is a part.
+template <class R>
+ZERKALO_INLINE Mask<R> edge_comes_near(const LobeProfile& profile, Vec3<R> n, Vec3<R> a, Vec3<R> b) {
+    return (n.z * n.z < R(profile.tangent2) * (n.x * n.x + n.y * n.y)) & ((a.z > R(0)) | (b.z > R(0)));
+}
+
+/// The part of such an edge that lies in the cone: in the plane at distance 1 before the apex the edge's line passes the
+/// axis at `offset`, and positions on the line count from there. Lanes that do not cross the cone are meaningless.
 template <class R>
 struct EdgePart {
     Mask<R> crosses;
@@ -73,23 +79,21 @@ struct EdgePart {
 };
 
 template <class R>
-ZERKALO_INLINE EdgePart<R> part_in_cone(const LobeProfile& profile, Vec3<R> n, Vec3<R> a, Vec3<R> b) {
-    const R across2 = n.x * n.x + n.y * n.y;
-    const auto a_ahead = a.z > R(0), b_ahead = b.z > R(0);
-    const Mask<R> near = (n.z * n.z < R(profile.tangent2) * across2) & (a_ahead | b_ahead);
-    if (none(near)) return {near, R(0), R(0), R(0)};
-    const R inverse = R(1) / sqrt(across2);
+ZERKALO_INLINE EdgePart<R> part_in_cone(const LobeProfile& profile, Vec3<R> n, Vec3<R> a, Vec3<R> b, Mask<R> near) {
+    const R inverse = R(1) / sqrt(n.x * n.x + n.y * n.y);
     const R offset = n.z * inverse;
     const R reach = sqrt(max(R(profile.tangent2) - offset * offset, R(0)));
     const R at_a = (a.x * n.y - a.y * n.x) * inverse / a.z, at_b = (b.x * n.y - b.y * n.x) * inverse / b.z;
-    const R from = select(a_ahead, max(at_a, -reach), -reach), to = select(b_ahead, min(at_b, reach), reach);
+    const R from = select(a.z > R(0), max(at_a, -reach), -reach), to = select(b.z > R(0), min(at_b, reach), reach);
     return {Mask<R>(near & (from < to)), offset, from, to};
 }
 
-/// 1/(2 pi) integral of cos^(n+1) dphi along the great circle from a to b; n as for part_in_cone.
+/// 1/(2 pi) integral of cos^(n+1) dphi along the great circle from a to b; n as for edge_comes_near.
 template <class R>
 ZERKALO_INLINE R edge_share(const LobeProfile& profile, Vec3<R> n, Vec3<R> a, Vec3<R> b) {
-    const EdgePart<R> part = part_in_cone(profile, n, a, b);
+    const Mask<R> near = edge_comes_near(profile, n, a, b);
+    if (none(near)) return R(0);
+    const EdgePart<R> part = part_in_cone(profile, n, a, b, near);
     if (none(part.crosses)) return R(0);
     const R offset = part.offset, from = part.from, to = part.to;
 

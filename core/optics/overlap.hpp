@@ -70,7 +70,9 @@ ZERKALO_ONCE void pass_side(Walk<R>& walk, const LobeProfile& profile, const Vec
     const Vec3<R> n = cross(a, b);
     const auto turns_left = n.z >= R(0);
     walk.inside = walk.inside & (turns_left | !left) & ((!turns_left) | !right);
-    const auto crosses = (left | right) & part_in_cone(profile, n, a, b).crosses;
+    const Mask<R> near = (left | right) & edge_comes_near(profile, n, a, b);
+    if (none(near)) return;
+    const Mask<R> crosses = part_in_cone(profile, n, a, b, near).crosses;
     if (none(crosses)) return;
     walk.crosses = walk.crosses | crosses;
     const Vec3<R> nowhere{R(0), R(0), R(0)};
