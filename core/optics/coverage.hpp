@@ -63,15 +63,15 @@ ZERKALO_INLINE R turning(Vec3<R> a, Vec3<R> b) {
     return a.x * b.y - a.y * b.x;
 }
 
-/// May the edge, a great circle from a to b, come into the profile's cone? `n` is a x b, or that of a longer edge of which
-/// this one is a part.
+/// May the edge, a great circle from a to b, come into the profile's cone? `n` is a x b, or that of a longer edge of
+/// which this one is a part.
 template <class R>
 ZERKALO_INLINE Mask<R> edge_comes_near(const LobeProfile& profile, Vec3<R> n, Vec3<R> a, Vec3<R> b) {
     return (n.z * n.z < R(profile.tangent2) * (n.x * n.x + n.y * n.y)) & ((a.z > R(0)) | (b.z > R(0)));
 }
 
-/// The part of such an edge that lies in the cone: in the plane at distance 1 before the apex the edge's line passes the
-/// axis at `offset`, and positions on the line count from there. Lanes that do not cross the cone are meaningless.
+/// The part of such an edge that lies in the cone: in the plane at distance 1 before the apex the edge's line passes
+/// the axis at `offset`, and positions on the line count from there. Lanes that do not cross the cone are meaningless.
 template <class R>
 struct EdgePart {
     Mask<R> crosses;

@@ -4,8 +4,8 @@
 //     coverage of both = [the axis is inside of both] - 1/(2 pi) integral of cos^(n+1) dphi along the parts
 //                        of each outline that lie inside of the other
 //
-// A way along an outline keeps its sides, in lanes, and clips them by kept ones of the other region. Sides that pass the
-// profile's cone bound nothing in it: a convex region leaves a convex cone through its own sides only.
+// A way along an outline keeps its sides, in lanes, and clips them by kept ones of the other region. Sides that pass
+// the profile's cone bound nothing in it: a convex region leaves a convex cone through its own sides only.
 // Source of the clipping by planes: Cyrus, Beck, "Generalized Two- and Three-Dimensional Clipping", 1978.
 #pragma once
 
@@ -76,7 +76,8 @@ ZERKALO_ONCE void pass_side(Walk<R>& walk, const LobeProfile& profile, const Vec
     if (none(crosses)) return;
     walk.crosses = walk.crosses | crosses;
     const Vec3<R> nowhere{R(0), R(0), R(0)};
-    const Vec3<R> from = select(crosses, select(left, a, b), nowhere), to = select(crosses, select(left, b, a), nowhere);
+    const Vec3<R> from = select(crosses, select(left, a, b), nowhere);
+    const Vec3<R> to = select(crosses, select(left, b, a), nowhere);
     Sides<R>& sides = walk.sides;
     if (walk.clip_count >= 0) {
         walk.share = walk.share + clipped_share(profile, sides, 0, walk.clip_count, from, to);

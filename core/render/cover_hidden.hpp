@@ -69,7 +69,8 @@ ZERKALO_INLINE R share_of_hider_in_turn(Sides<R>& sides, const Outlines<R>& of, 
 
 /// What solid `before` hides of the covered light of `behind`, in the lanes of `here`.
 template <class R>
-ZERKALO_ONCE Rgb<R> hidden_by(const CoveredSolid& behind, const Plan& plan, const Outlines<R>& of, const Mask<R>& here) {
+ZERKALO_ONCE Rgb<R> hidden_by(const CoveredSolid& behind, const Plan& plan, const Outlines<R>& of,
+                              const Mask<R>& here) {
     const Rgb<R> nothing = spread<R>(Rgb<float>{0, 0, 0});
     Sides<R> sides;
     const Walk<R> hider = keep_hider(sides, of);
@@ -95,7 +96,8 @@ ZERKALO_ONCE Rgb<R> hidden_by(const CoveredSolid& behind, const Plan& plan, cons
 
 /// The covered light of a tile's solids that others hide.
 template <class R>
-ZERKALO_ONCE Rgb<R> hidden_light(const TileCover& cover, const Plan& plan, const Vec3<R>& p, const LobeFrame<R>& frame) {
+ZERKALO_ONCE Rgb<R> hidden_light(const TileCover& cover, const Plan& plan, const Vec3<R>& p,
+                                 const LobeFrame<R>& frame) {
     Rgb<R> sum = spread<R>(Rgb<float>{0, 0, 0});
     const LobeData& lobe = plan.mirrors[0].lobe;
     for (std::int32_t i = 0; i < cover.count; ++i) {

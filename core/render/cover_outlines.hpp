@@ -31,8 +31,8 @@ ZERKALO_INLINE Vec3<R> place_on(const Rim<R>& rim, SineCosine<R> at, R scale) {
     return rim.centre + (rim.towards * at.cosine + rim.aside * at.sine) * scale;
 }
 
-/// kArcPanels times `panel` sides around a rim from the angle `from` on, which becomes the last. A panel that passes the
-/// lobe is one side: whether the axis is inside, that tells as well.
+/// kArcPanels times `panel` sides around a rim from the angle `from` on, which becomes the last. A panel that passes
+/// the lobe is one side: whether the axis is inside, that tells as well.
 template <class R>
 ZERKALO_ONCE void pass_arc(Walk<R>& walk, const LobeProfile& profile, const Rim<R>& rim, SineCosine<R>& from,
                            const R& step, int panel, const Mask<R>& left, const Mask<R>& right) {
@@ -57,8 +57,8 @@ ZERKALO_ONCE void pass_arc(Walk<R>& walk, const LobeProfile& profile, const Rim<
 }
 
 template <class R>
-ZERKALO_ONCE void walk_ball(Walk<R>& walk, const LobeProfile& profile, const SphereData& ball, const Vec3<R>& p,
-                            const LobeFrame<R>& frame) {
+ZERKALO_ONCE void walk_ball(Walk<R>& walk, const LobeProfile& profile, const SphereData& ball,
+                            const Vec3<R>& p, const LobeFrame<R>& frame) {
     const Vec3<R> centre = in_lobe(frame, ball.centre - p);
     const R across = sqrt(centre.x * centre.x + centre.y * centre.y);
     const BallView<R> view = view_of_ball(profile, across, centre.z, R(ball.radius2 * ball.inverse_radius));
@@ -108,8 +108,8 @@ ZERKALO_ONCE RimEnds<R> pass_rim(Walk<R>& walk, const LobeProfile& profile, cons
 
 /// The silhouette of a tube: an arc of each rim, whole or none where only one is seen, and two generators.
 template <class R>
-ZERKALO_ONCE void walk_tube(Walk<R>& walk, const LobeProfile& profile, const TubeData& tube, int panel, const Vec3<R>& p,
-                            const LobeFrame<R>& frame) {
+ZERKALO_ONCE void walk_tube(Walk<R>& walk, const LobeProfile& profile, const TubeData& tube,
+                            int panel, const Vec3<R>& p, const LobeFrame<R>& frame) {
     const TubeView<R> view = view_of_tube(tube, p, frame);
     const auto both = view.has_front & view.has_back;
     RimEnds<R> ends[2];
@@ -130,8 +130,8 @@ ZERKALO_ONCE void walk_tube(Walk<R>& walk, const LobeProfile& profile, const Tub
 
 /// The cap of a tube that is seen.
 template <class R>
-ZERKALO_ONCE void walk_cap(Walk<R>& walk, const LobeProfile& profile, const TubeData& tube, int panel, Vec3<R> p,
-                             const LobeFrame<R>& frame) {
+ZERKALO_ONCE void walk_cap(Walk<R>& walk, const LobeProfile& profile, const TubeData& tube, int panel,
+                           const Vec3<R>& p, const LobeFrame<R>& frame) {
     const TubeView<R> view = view_of_tube(tube, p, frame);
     const R height = R(tube.half_height);
     const R below = R(rim_radius(tube, -tube.half_height)), above = R(rim_radius(tube, tube.half_height));
@@ -150,7 +150,7 @@ constexpr int kWholeOutline = -1;  // instead of a face
 /// The outline of a polyhedron, or of one of its faces.
 template <class R>
 ZERKALO_ONCE void walk_polyhedron(Walk<R>& walk, const LobeProfile& profile, const Plan& plan, int k, int face,
-                                    Vec3<R> p, const LobeFrame<R>& frame) {
+                                  const Vec3<R>& p, const LobeFrame<R>& frame) {
     const Outline& outline = plan.outlines[k];
     PolyhedronView<R> view;
     view_polyhedron(view, plan, k, p, frame);

@@ -39,13 +39,14 @@ struct Target {
     float radius;
 };
 
-ZERKALO_INLINE Target target_of(const SolidPlan& solid, const TileLobe& lobe, const LobeProfile& profile) {
+ZERKALO_INLINE Target target_of(const SolidPlan& solid, const TileLobe& lobe, const LobeProfile& profile,
+                                bool all_of_it) {
     const Vec3<float> f = solid.bound_centre - lobe.p;
     const float inverse = 1 / sqrt(dot(f, f));
     const Vec3<float> u = f * inverse, aside = lobe.m - u;
     constexpr float kMostOfLobe = 0.6f;  // 2.4 of the 4.08 deviations of the cone
     const float ball = solid.bound_radius * inverse, cone = kMostOfLobe * sqrt(profile.edge);
-    if (!(ball > cone)) return {u, tangents_of(u), ball};
+    if (all_of_it || !(ball > cone)) return {u, tangents_of(u), ball};
     const float off = sqrt(dot(aside, aside)), room = ball - cone;
     return {off > room ? u + aside * (room / off) : lobe.m, tangents_of(u), cone};
 }
@@ -109,13 +110,13 @@ ZERKALO_INLINE CandidateMask hiders_of(const ScoutNotes& notes, CandidateMask ri
     return chosen;
 }
 
-/// Sends the scouts from the tile's middle to solid k, which the rivals may hide.
+/// Sends the scouts from the tile's middle to solid k, which the rivals may hide: to the part near the lobe, or to all.
 template <class R>
 ZERKALO_ONCE void scout(ScoutNotes& notes, const Plan& plan, const TileLobe& lobe, int k, CandidateMask rivals,
-                        TileCounts& counts) {
+                        bool all_of_it, TileCounts& counts) {
     const MirrorPlan& mirror = plan.mirrors[0];
     const SolidPlan& solid = plan.solids[k];
-    const Target target = target_of(solid, lobe, mirror.profile);
+    const Target target = target_of(solid, lobe, mirror.profile, all_of_it);
     const PointOrigin<R> origin{spread<R>(lobe.p)};
     const Rgb<R> none_yet = spread<R>(Rgb<float>{0, 0, 0});
     for (CandidateMask left = rivals; left != 0; left &= left - 1) {

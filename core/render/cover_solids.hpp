@@ -1,5 +1,6 @@
 // How much of the lobes of a packet the faces of a solid cover (optics/coverage.hpp), times what they bring: the sum
-// over f of (c_f - b) coverage_f of gloss.hpp. Balls, polyhedra, tapered tubes; each as if it were alone.
+// over f of (c_f - b) coverage_f of gloss.hpp. Balls, polyhedra, tapered tubes; each as if it were
+// alone (what others hide of it: render/cover_hidden.hpp).
 #pragma once
 
 #include "core/optics/coverage.hpp"

@@ -30,8 +30,8 @@ struct TileCover {
     std::int32_t count;
     CandidateMask hiders;  // all that are taken off the outlines of others
     CandidateMask noted;   // these and all that are covered
-    bool smooth;          // their light, so that it can be interpolated from a few places of the tile (render/cover_grid.hpp)
-    CandidateMask plain;  // solids that some lobe may meet and that are left to the lobe rays alone
+    bool smooth;           // their light, so that it can be interpolated (render/cover_grid.hpp)
+    CandidateMask plain;   // solids that some lobe may meet and that are left to the lobe rays alone
     std::uint8_t panel[kMaxSolids];  // see panel_of(); only of those that hide or are hidden
 };
 
@@ -242,9 +242,13 @@ ZERKALO_ONCE void cover_tile(TileCover& cover, const Plan& plan, const Rect& til
         Report report{};
         if (can && (round || rivals != 0)) {
             ScoutNotes notes;
-            scout<R>(notes, plan, lobe, k, rivals, counts);
-            next.hidden_by = chosen_hiders(cover, plan, lobe, k, notes, rivals);
-            report = sum_of(notes, next.hidden_by);
+            // What is hidden near the lobe may be seen beyond, from the tile's other places.
+            for (const bool all_of_it : {false, true}) {
+                scout<R>(notes, plan, lobe, k, rivals, all_of_it, counts);
+                next.hidden_by = chosen_hiders(cover, plan, lobe, k, notes, rivals);
+                report = sum_of(notes, next.hidden_by);
+                if (rivals == 0 || report.seen > 0) break;
+            }
         }
         if (!can || (rivals != 0 && !(report.seen > 0))) {
             cover.plain |= CandidateMask{1} << k;
