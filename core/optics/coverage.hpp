@@ -63,24 +63,39 @@ ZERKALO_INLINE R turning(Vec3<R> a, Vec3<R> b) {
     return a.x * b.y - a.y * b.x;
 }
 
-/// 1/(2 pi) integral of cos^(n+1) dphi along the great circle from a to b.
+/// May the edge, a great circle from a to b, come into the profile's cone? `n` is a x b, or that of a longer edge of
+/// which this one is a part.
 template <class R>
-ZERKALO_INLINE R edge_share(const LobeProfile& profile, Vec3<R> a, Vec3<R> b) {
-    const R n_z = turning(a, b);
-    const R n_x = a.y * b.z - a.z * b.y, n_y = a.z * b.x - a.x * b.z;
-    const R across2 = n_x * n_x + n_y * n_y;
-    const auto a_ahead = a.z > R(0), b_ahead = b.z > R(0);
-    auto crosses = (n_z * n_z < R(profile.tangent2) * across2) & (a_ahead | b_ahead);
-    if (none(crosses)) return R(0);
-    // In the plane at distance 1 before the apex the edge's line passes the axis at `offset`; positions on the line
-    // count from there; clipped to the cone, and to what lies ahead.
-    const R inverse = R(1) / sqrt(across2);
-    const R offset = n_z * inverse;
+ZERKALO_INLINE Mask<R> edge_comes_near(const LobeProfile& profile, Vec3<R> n, Vec3<R> a, Vec3<R> b) {
+    return (n.z * n.z < R(profile.tangent2) * (n.x * n.x + n.y * n.y)) & ((a.z > R(0)) | (b.z > R(0)));
+}
+
+/// The part of such an edge that lies in the cone: in the plane at distance 1 before the apex the edge's line passes
+/// the axis at `offset`, and positions on the line count from there. Lanes that do not cross the cone are meaningless.
+template <class R>
+struct EdgePart {
+    Mask<R> crosses;
+    R offset, from, to;
+};
+
+template <class R>
+ZERKALO_INLINE EdgePart<R> part_in_cone(const LobeProfile& profile, Vec3<R> n, Vec3<R> a, Vec3<R> b, Mask<R> near) {
+    const R inverse = R(1) / sqrt(n.x * n.x + n.y * n.y);
+    const R offset = n.z * inverse;
     const R reach = sqrt(max(R(profile.tangent2) - offset * offset, R(0)));
-    const R at_a = (a.x * n_y - a.y * n_x) * inverse / a.z, at_b = (b.x * n_y - b.y * n_x) * inverse / b.z;
-    const R from = select(a_ahead, max(at_a, -reach), -reach), to = select(b_ahead, min(at_b, reach), reach);
-    crosses = crosses & (from < to);
-    if (none(crosses)) return R(0);
+    const R at_a = (a.x * n.y - a.y * n.x) * inverse / a.z, at_b = (b.x * n.y - b.y * n.x) * inverse / b.z;
+    const R from = select(a.z > R(0), max(at_a, -reach), -reach), to = select(b.z > R(0), min(at_b, reach), reach);
+    return {Mask<R>(near & (from < to)), offset, from, to};
+}
+
+/// 1/(2 pi) integral of cos^(n+1) dphi along the great circle from a to b; n as for edge_comes_near.
+template <class R>
+ZERKALO_INLINE R edge_share(const LobeProfile& profile, Vec3<R> n, Vec3<R> a, Vec3<R> b) {
+    const Mask<R> near = edge_comes_near(profile, n, a, b);
+    if (none(near)) return R(0);
+    const EdgePart<R> part = part_in_cone(profile, n, a, b, near);
+    if (none(part.crosses)) return R(0);
+    const R offset = part.offset, from = part.from, to = part.to;
 
     // The way along the edge as an angle w from the place nearest to the axis, by u = tan(w / 2): dw = 2 du / (1 + u^2),
     // v = sin^2 g + cos^2 g sin^2 w, g the least angle to the axis; dphi = sin g dw / v.
@@ -105,9 +120,13 @@ ZERKALO_INLINE R edge_share(const LobeProfile& profile, Vec3<R> a, Vec3<R> b) {
         sum = sum + (density(middle - step) + density(middle + step)) * R(kNodeWeights[k]);
     }
     const R along = offset * cosine_g * half * sum * R(2 * kInverseTurn);
-    const R around = turn_of(select(n_z >= R(0), offset, -offset) * (to - from), offset2 + from * to);
-    const R share = select(n_z >= R(0), around, -around) - along;
-    return select(crosses, share, R(0));
+    const R around = turn_of(select(n.z >= R(0), offset, -offset) * (to - from), offset2 + from * to);
+    const R share = select(n.z >= R(0), around, -around) - along;
+    return select(part.crosses, share, R(0));
+}
+template <class R>
+ZERKALO_INLINE R edge_share(const LobeProfile& profile, Vec3<R> a, Vec3<R> b) {
+    return edge_share(profile, cross(a, b), a, b);
 }
 
 /// A part of a conic section as a rational curve (1-t)^2 a + 2 t (1-t) c + t^2 b, 0 <= t <= 1.
@@ -149,29 +168,45 @@ ZERKALO_INLINE R arc_integral(const LobeProfile& profile, const ConicArc<R>& arc
     return half * sum * R(2 * kInverseTurn);
 }
 
-/// Coverage by a ball seen from outside: its centre at (across, along) from the apex, across >= 0, its radius less than
-/// the distance.
+/// A ball seen from outside fills a round cap of half-angle a, its middle at the angle g from the axis. A point of the
+/// outline at the angle s around the middle, from the place nearest to the axis, with h = sin^2(s / 2):
+///     x = sin(g - a) + 2 sin a cos g h,   y = 2 sin a sqrt(h (1 - h)),   z = cos(g - a) - 2 sin a sin g h
 template <class R>
-ZERKALO_INLINE R ball_coverage(const LobeProfile& profile, R across, R along, R radius) {
-    // It fills a round cap of half-angle a, its middle at the angle g from the axis. A point of the outline at the angle
-    // s around the middle, from the place nearest to the axis, with h = sin^2(s / 2):
-    //     x = sin(g - a) + 2 sin a cos g h,   y = 2 sin a sqrt(h (1 - h)),   z = cos(g - a) - 2 sin a sin g h
+struct BallView {
+    R sine_g, cosine_g, sine_a, cosine_a;
+    R nearest, ahead;  // sine and cosine of g - a
+    R edge2;           // h where the outline leaves the profile's cone: 1 if it does not, 0 if it passes the cone
+};
+
+/// Of a ball whose centre lies at (across, along) from the apex, across >= 0, its radius less than the distance.
+template <class R>
+ZERKALO_INLINE BallView<R> view_of_ball(const LobeProfile& profile, R across, R along, R radius) {
     const R distance2 = across * across + along * along;
     const R inverse = R(1) / sqrt(distance2);
-    const R sine_g = across * inverse, cosine_g = along * inverse;
-    const R sine_a = radius * inverse, cosine_a = sqrt(max((R(1) - sine_a) * (R(1) + sine_a), R(0)));
-    const R nearest = sine_g * cosine_a - cosine_g * sine_a;
-    const R ahead = cosine_g * cosine_a + sine_g * sine_a;
-    // 1 - cos(g - a), also where that is tiny; the outline leaves the cone at h = edge2.
-    const R from_axis = select(ahead > R(0), nearest * nearest / (R(1) + ahead), R(1) - ahead);
+    BallView<R> view;
+    view.sine_g = across * inverse, view.cosine_g = along * inverse;
+    view.sine_a = radius * inverse, view.cosine_a = sqrt(max((R(1) - view.sine_a) * (R(1) + view.sine_a), R(0)));
+    view.nearest = view.sine_g * view.cosine_a - view.cosine_g * view.sine_a;
+    view.ahead = view.cosine_g * view.cosine_a + view.sine_g * view.sine_a;
+    // 1 - cos(g - a), also where that is tiny.
+    const R from_axis =
+        select(view.ahead > R(0), view.nearest * view.nearest / (R(1) + view.ahead), R(1) - view.ahead);
     const R room = R(profile.from_axis) - from_axis;
-    const R span = R(2) * sine_a * sine_g;
-    const R edge2 = select(room < span, max(room, R(0)) / span, R(1));
+    const R span = R(2) * view.sine_a * view.sine_g;
+    view.edge2 = select(room < span, max(room, R(0)) / span, R(1));
+    return view;
+}
+
+/// Coverage by a ball; as for view_of_ball.
+template <class R>
+ZERKALO_INLINE R ball_coverage(const LobeProfile& profile, R across, R along, R radius) {
+    const BallView<R> view = view_of_ball(profile, across, along, radius);
+    const R sine_a = view.sine_a, nearest = view.nearest, edge2 = view.edge2;
 
     // tan(s / 4) runs from 0 to its end, at most 1: sin(s / 2) = 2 u / (1 + u^2), ds = 4 du / (1 + u^2).
     const R edge = sqrt(edge2), turned = sqrt(R(1) - edge2);
     const R end = edge / (R(1) + turned);
-    const R slope = R(2) * sine_a * cosine_g, winding_slope = R(2) * cosine_a * sine_g;
+    const R slope = R(2) * sine_a * view.cosine_g, winding_slope = R(2) * view.cosine_a * view.sine_g;
     const auto winding = [&](float t) ZERKALO_INLINE_LAMBDA {
         const R u = end * R(t);
         const R scale = R(1) / (R(1) + u * u);

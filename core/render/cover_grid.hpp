@@ -2,7 +2,7 @@
 // places from which the pixels are interpolated by polynomials of third degree (Chebyshev's places).
 #pragma once
 
-#include "core/render/cover_solids.hpp"
+#include "core/render/cover_hidden.hpp"
 #include "core/render/gloss_queue.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
@@ -38,6 +38,14 @@ struct CoverGrid {
     float r[kGridPlaces], g[kGridPlaces], b[kGridPlaces];
 };
 
+/// What the covered solids bring, without what they hide of each other.
+template <class R>
+ZERKALO_INLINE Rgb<R> all_covered(const TileCover& cover, const Plan& plan, const MirrorPlan& mirror, const Vec3<R>& p,
+                                  const LobeFrame<R>& frame) {
+    const Rgb<R> light = covered_light(cover, plan, mirror, p, frame);
+    return cover.hiders != 0 ? light - hidden_light(cover, plan, p, frame) : light;
+}
+
 template <class R>
 ZERKALO_ONCE void fill_grid(CoverGrid& grid, const TileCover& cover, const Plan& plan, const Rect& tile) {
     const MirrorPlan& mirror = plan.mirrors[0];
@@ -52,7 +60,7 @@ ZERKALO_ONCE void fill_grid(CoverGrid& grid, const TileCover& cover, const Plan&
         const Vec3<R> p = camera.origin + towards * (R(height) / -dot(mirror.shape.n, towards));
         const Vec3<R> m = reflect(towards * (R(1) / sqrt(dot(towards, towards))), spread<R>(mirror.shape.n));
         const Tangents<R> sides = tangents_of(m);
-        const Rgb<R> light = covered_light(cover, plan, mirror, p, LobeFrame<R>{m, sides.t, sides.b});
+        const Rgb<R> light = all_covered(cover, plan, mirror, p, LobeFrame<R>{m, sides.t, sides.b});
         store(grid.r + first, light.r), store(grid.g + first, light.g), store(grid.b + first, light.b);
     }
 }
@@ -109,7 +117,7 @@ ZERKALO_ONCE void add_covered(const TileCover& cover, const CoverGrid& grid, con
             light = interpolated(grid, column * R(kStep) + R(kStart), row * R(kStep) + R(kStart));
         } else {
             const Tangents<R> sides = tangents_of(m);
-            light = covered_light(cover, plan, plan.mirrors[0], p, LobeFrame<R>{m, sides.t, sides.b});
+            light = all_covered(cover, plan, plan.mirrors[0], p, LobeFrame<R>{m, sides.t, sides.b});
         }
         light = spread<R>(plan.mirrors[0].reflectance) * light;
         put(colours, first, select(covered, light, spread<R>(Rgb<float>{0, 0, 0})), true);

@@ -39,13 +39,14 @@ struct Target {
     float radius;
 };
 
-ZERKALO_INLINE Target target_of(const SolidPlan& solid, const TileLobe& lobe, const LobeProfile& profile) {
+ZERKALO_INLINE Target target_of(const SolidPlan& solid, const TileLobe& lobe, const LobeProfile& profile,
+                                bool all_of_it) {
     const Vec3<float> f = solid.bound_centre - lobe.p;
     const float inverse = 1 / sqrt(dot(f, f));
     const Vec3<float> u = f * inverse, aside = lobe.m - u;
     constexpr float kMostOfLobe = 0.6f;  // 2.4 of the 4.08 deviations of the cone
     const float ball = solid.bound_radius * inverse, cone = kMostOfLobe * sqrt(profile.edge);
-    if (!(ball > cone)) return {u, tangents_of(u), ball};
+    if (all_of_it || !(ball > cone)) return {u, tangents_of(u), ball};
     const float off = sqrt(dot(aside, aside)), room = ball - cone;
     return {off > room ? u + aside * (room / off) : lobe.m, tangents_of(u), cone};
 }
@@ -59,58 +60,94 @@ ZERKALO_INLINE R power_towards(const LobeProfile& profile, R cosine) {
     return select(inside, R(1) - within * winding_density(profile, within), R(0x1p-12f));
 }
 
-/// Sums over the scouts that meet a solid, by the lobe's power.
-struct Report {
-    float met, seen;   // `seen`: before any rival
-    float face;        // those met in face 0: the only round one
-    Rgb<float> light;  // what those of them that are seen bring beyond the background
-};
-
-/// What each scout tells; summed one after another, for a packet may hold any number of them.
+/// What each scout tells of a solid: its power, and what it brings beyond the background, both 0 where it does not meet
+/// the solid's face 0 (the only round one) or meets something before it.
 struct ScoutNotes {
-    alignas(64) float met[kScouts], seen[kScouts], r[kScouts], g[kScouts], b[kScouts], face[kScouts];
+    alignas(64) float met[kScouts], seen[kScouts], face[kScouts], r[kScouts], g[kScouts], b[kScouts];
+    std::uint32_t meets[kMaxSolids];   // of each rival, bit s: scout s meets it and the solid
+    std::uint32_t before[kMaxSolids];  // and the rival first
 };
 
-ZERKALO_INLINE Report sum_of(const ScoutNotes& notes) {
+/// Sums over the scouts, by the lobe's power and by what a ray counts there (render/cover_hidden.hpp).
+struct Report {
+    float met, seen;   // of squares of what they count; of what they count where the solid is seen
+    float face;        // the same as `met` in face 0
+    Rgb<float> light;  // what they bring there
+};
+
+/// One after another, for a packet may hold any number of scouts.
+ZERKALO_INLINE Report sum_of(const ScoutNotes& notes, CandidateMask hidden_by) {
     Report sum{};
     for (std::int32_t s = 0; s < kScouts; ++s) {
-        sum.met += notes.met[s], sum.seen += notes.seen[s], sum.face += notes.face[s];
-        sum.light = sum.light + Rgb<float>{notes.r[s], notes.g[s], notes.b[s]};
+        float counts = 1;
+        for (CandidateMask left = hidden_by; left != 0; left &= left - 1) {
+            counts -= float(notes.meets[first_of(left)] >> s & 1);
+        }
+        sum.met += notes.met[s] * counts * counts, sum.seen += notes.seen[s] * counts;
+        sum.face += notes.face[s] * counts * counts;
+        sum.light = sum.light + scaled(Rgb<float>{notes.r[s], notes.g[s], notes.b[s]}, counts);
     }
     return sum;
 }
 
-/// Sends the scouts from the tile's middle to solid k, which the rivals may hide.
+/// Of the rivals that hide a part of the solid those whose outlines are worth to be taken off its own: each hides more
+/// scouts anew than it takes off twice.
+ZERKALO_INLINE CandidateMask hiders_of(const ScoutNotes& notes, CandidateMask rivals) {
+    CandidateMask chosen = 0;
+    std::uint32_t hidden = 0;
+    for (CandidateMask left = rivals; left != 0; left &= left - 1) {
+        const int k = first_of(left);
+        float anew = 0, twice = 0;
+        for (std::int32_t s = 0; s < kScouts; ++s) {
+            const bool taken = hidden >> s & 1;
+            if (notes.before[k] >> s & 1 & !taken) anew += notes.met[s];
+            if (notes.meets[k] >> s & 1 & (taken || !(notes.before[k] >> s & 1))) twice += notes.met[s];
+        }
+        if (!(anew > twice)) continue;
+        chosen |= CandidateMask{1} << k;
+        hidden |= notes.meets[k];
+    }
+    return chosen;
+}
+
+/// Sends the scouts from the tile's middle to solid k, which the rivals may hide: to the part near the lobe, or to all.
 template <class R>
-ZERKALO_ONCE Report scout(const Plan& plan, const TileLobe& lobe, int k, CandidateMask rivals, TileCounts& counts) {
+ZERKALO_ONCE void scout(ScoutNotes& notes, const Plan& plan, const TileLobe& lobe, int k, CandidateMask rivals,
+                        bool all_of_it, TileCounts& counts) {
     const MirrorPlan& mirror = plan.mirrors[0];
     const SolidPlan& solid = plan.solids[k];
-    const Target target = target_of(solid, lobe, mirror.profile);
-    const Vec3<R> p = spread<R>(lobe.p);
+    const Target target = target_of(solid, lobe, mirror.profile, all_of_it);
+    const PointOrigin<R> origin{spread<R>(lobe.p)};
     const Rgb<R> none_yet = spread<R>(Rgb<float>{0, 0, 0});
-    ScoutNotes notes;
+    for (CandidateMask left = rivals; left != 0; left &= left - 1) {
+        notes.meets[first_of(left)] = notes.before[first_of(left)] = 0;
+    }
     for (std::int32_t s = 0; s < kScouts; s += kWidth<R>) {
         const R side = load<R>(mirror.scouts.side + s) * R(target.radius);
         const R up = load<R>(mirror.scouts.up + s) * R(target.radius);
         const Vec3<R> towards = target.across.t * side + target.across.b * up + target.middle;
         const Vec3<R> d = towards * (R(1) / sqrt(dot(towards, towards)));
         const R power = power_towards(mirror.profile, dot(d, spread<R>(lobe.m)));
-        const Nearest<R> rival = nearest_solid(plan, rivals, PointOrigin<R>{p}, d);
-        with_span<Faces::entry, R>(plan, k, PointOrigin<R>{p}, d,
-                                   [&](const Span<FloatNumbers<R>>& span) ZERKALO_INLINE_LAMBDA {
-            const auto met = (span.entry <= span.exit) & (span.entry > R(0));
-            const auto seen = met & (span.entry < rival.t), own = met & (span.face_in == R(0));
-            Rgb<R> light = none_yet;
-            if (any(seen & own)) {
-                light = light_of_solid<R>(plan, solid, p + d * span.entry, span.face_in, d, seen & own, counts);
-                light = select(seen & own, scaled(light - spread<R>(plan.background), power), none_yet);
-            }
-            store(notes.met + s, select(met, power, R(0))), store(notes.seen + s, select(seen, power, R(0)));
-            store(notes.r + s, light.r), store(notes.g + s, light.g), store(notes.b + s, light.b);
-            store(notes.face + s, select(own, power, R(0)));
-        });
+        const Nearest<R> own = nearest_solid(plan, CandidateMask{1} << k, origin, d);
+        const auto met = own.id >= R(0);
+        auto seen = met;
+        for (CandidateMask left = rivals; left != 0; left &= left - 1) {
+            const int other = first_of(left);
+            const Nearest<R> rival = nearest_solid(plan, left & (~left + 1), origin, d);
+            const auto meets = met & (rival.id >= R(0)), before = meets & !(own.t < rival.t);
+            notes.meets[other] |= bits_of(meets) << s, notes.before[other] |= bits_of(before) << s;
+            seen = seen & !before;
+        }
+        const auto face = met & (own.face == R(0)), shown = seen & face;
+        Rgb<R> light = none_yet;
+        if (any(shown)) {
+            light = light_of_solid<R>(plan, solid, origin.o + d * own.t, own.face, d, shown, counts);
+            light = select(shown, scaled(light - spread<R>(plan.background), power), none_yet);
+        }
+        store(notes.met + s, select(met, power, R(0))), store(notes.seen + s, select(seen, power, R(0)));
+        store(notes.face + s, select(face, power, R(0)));
+        store(notes.r + s, light.r), store(notes.g + s, light.g), store(notes.b + s, light.b);
     }
-    return sum_of(notes);
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

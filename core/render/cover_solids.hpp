@@ -1,5 +1,6 @@
 // How much of the lobes of a packet the faces of a solid cover (optics/coverage.hpp), times what they bring: the sum
-// over f of (c_f - b) coverage_f of gloss.hpp. Balls, polyhedra, tapered tubes; each as if it were alone.
+// over f of (c_f - b) coverage_f of gloss.hpp. Balls, polyhedra, tapered tubes; each as if it were
+// alone (what others hide of it: render/cover_hidden.hpp).
 #pragma once
 
 #include "core/optics/coverage.hpp"
@@ -30,22 +31,37 @@ ZERKALO_INLINE Rgb<R> covered_by_ball(const CoveredSolid& cover, const Plan& pla
     return scaled(shade_in<R>(Mask<R>(true), cover, 0), share);
 }
 
+/// A polyhedron's corners in the lobe's frame, and which of its faces look to the packet's places.
+template <class R>
+struct PolyhedronView {
+    Vec3<R> corners[2 * kMaxOutlineSides];
+    Mask<R> looks_here[kMaxOutlineFaces];
+};
+
+template <class R>
+ZERKALO_INLINE void view_polyhedron(PolyhedronView<R>& view, const Plan& plan, int k, Vec3<R> p,
+                                    const LobeFrame<R>& frame) {
+    const Outline& outline = plan.outlines[k];
+    const HalfSpacesData& body = plan.solids[k].half_spaces;
+    for (int c = 0; c < outline.corner_count; ++c) {
+        view.corners[c] = in_lobe(frame, Vec3<float>{outline.x[c], outline.y[c], outline.z[c]} - p);
+    }
+    for (int f = 0; f < outline.face_count; ++f) {
+        const OutlineFace& face = outline.faces[f];
+        const auto from = slab_seen_from<FloatNumbers<R>>(plan.slabs[body.first_slab + face.slab], p - body.centre);
+        view.looks_here[f] = face.low ? from.lo > R(0) : from.hi < R(0);
+    }
+}
+
 template <class R>
 ZERKALO_INLINE Rgb<R> covered_by_polyhedron(const CoveredSolid& cover, const Plan& plan, const LobeProfile& profile,
                                             Vec3<R> p, const LobeFrame<R>& frame) {
     const Outline& outline = plan.outlines[cover.k];
-    const HalfSpacesData& body = plan.solids[cover.k].half_spaces;
-    Vec3<R> corners[2 * kMaxOutlineSides];
-    for (int c = 0; c < outline.corner_count; ++c) {
-        corners[c] = in_lobe(frame, Vec3<float>{outline.x[c], outline.y[c], outline.z[c]} - p);
-    }
-    Mask<R> looks_here[kMaxOutlineFaces], inside[kMaxOutlineFaces];
-    for (int f = 0; f < outline.face_count; ++f) {
-        const OutlineFace& face = outline.faces[f];
-        const auto from = slab_seen_from<FloatNumbers<R>>(plan.slabs[body.first_slab + face.slab], p - body.centre);
-        looks_here[f] = face.low ? from.lo > R(0) : from.hi < R(0);
-        inside[f] = looks_here[f];
-    }
+    PolyhedronView<R> view;
+    view_polyhedron(view, plan, cover.k, p, frame);
+    const auto& [corners, looks_here] = view;
+    Mask<R> inside[kMaxOutlineFaces];
+    for (int f = 0; f < outline.face_count; ++f) inside[f] = looks_here[f];
     Rgb<R> sum = spread<R>(Rgb<float>{0, 0, 0});
     for (int e = 0; e < outline.edge_count; ++e) {
         const OutlineEdge& edge = outline.edges[e];
@@ -188,9 +204,7 @@ ZERKALO_INLINE TubeEnd<R> end_of_tube(const LobeProfile& profile, const TubeView
                                       bool top, const CoveredSolid& cover) {
     TubeEnd<R> end;
     const float height = top ? tube.half_height : -tube.half_height;
-    const float widest = tube.mid_radius + max(tube.slope, -tube.slope) * tube.half_height;
-    // The point of a cone, but for rounding.
-    const float own = tube.mid_radius + tube.slope * height, radius = own > 0x1p-18f * widest ? own : 0.0f;
+    const float radius = rim_radius(tube, height);
     const auto round = Mask<R>(radius > 0);
     const Rim<R> rim{view.middle + view.up * R(height), view.towards * R(radius), view.aside * R(radius)};
     end.first = rim.centre + rim.towards * view.cosine - rim.aside * view.sine;

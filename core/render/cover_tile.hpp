@@ -4,12 +4,14 @@
 // (render/cover_scouts.hpp).
 #pragma once
 
+#include "core/optics/overlap.hpp"
 #include "core/render/cover_scouts.hpp"
 #include "core/render/lobe_aim.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
 
 constexpr int kMaxCovered = 8;    // solids a tile
+constexpr int kMaxHiders = 8;     // solids a tile that are taken off the outlines of others
 constexpr int kMostPanels = 32;   // of a quarter of a tube's rim
 
 struct CoveredSolid {
@@ -17,7 +19,8 @@ struct CoveredSolid {
     std::int32_t panels;      // into which each quarter of a tube's rims is cut
     bool few_nodes;           // four nodes serve each panel
     std::int32_t face_count;  // a hit names one of these
-    float room;               // distance from the tile's mirror points, at least; not positive if one may be inside
+    float room;               // room_before() it
+    CandidateMask hidden_by;  // solids that are taken off its outline: render/cover_hidden.hpp
     float r[kMaxOutlineFaces], g[kMaxOutlineFaces], b[kMaxOutlineFaces];  // by the face that a hit names
 };
 
@@ -25,18 +28,88 @@ struct TileCover {
     static constexpr bool kCovers = true;
     CoveredSolid solids[kMaxCovered];
     std::int32_t count;
-    bool smooth;          // their light, so that it can be interpolated from a few places of the tile (render/cover_grid.hpp)
-    CandidateMask plain;  // solids that some lobe may meet and that are left to the lobe rays alone
+    CandidateMask hiders;  // all that are taken off the outlines of others
+    CandidateMask noted;   // these and all that are covered
+    bool smooth;           // their light, so that it can be interpolated (render/cover_grid.hpp)
+    CandidateMask plain;   // solids that some lobe may meet and that are left to the lobe rays alone
+    std::uint8_t panel[kMaxSolids];  // see panel_of(); only of those that hide or are hidden
 };
+
+/// From the tile's mirror points to the solid's bounding ball, at least; not positive if one may be inside.
+ZERKALO_INLINE float room_before(const SolidPlan& solid, const TileLobe& lobe) {
+    const Vec3<float> f = solid.bound_centre - lobe.p;
+    return sqrt(dot(f, f)) - solid.bound_radius - lobe.stray;
+}
+
+/// Of the rim at that height: 0 at the point of a cone, whatever rounding has left there.
+ZERKALO_INLINE float rim_radius(const TubeData& tube, float height) {
+    const float widest = tube.mid_radius + max(tube.slope, -tube.slope) * tube.half_height;
+    const float own = tube.mid_radius + tube.slope * height;
+    return own > 0x1p-18f * widest ? own : 0.0f;
+}
+
+constexpr float kConeDeviations = 4.08f;  // of the lobe in the profile's cone: sqrt(2 ln 2^12)
+
+/// The fewest sides of a quarter of an arc of a tube's rim that the lobes cannot tell from it; 0: more than are kept.
+ZERKALO_INLINE int panel_of_rims(const TubeData& tube, const TileLobe& lobe, const LobeProfile& profile) {
+    constexpr float kTurn = 6.2831853f;
+    const Vec3<float> o = tube_seen_from<FloatNumbers<float>>(tube, lobe.p);
+    const float across = sqrt(o.x * o.x + o.z * o.z), level = tube.mid_radius + tube.slope * o.y;
+    const float cosine = across > 0 ? max(min(level / across, 1.0f), -1.0f) : 1.0f;
+    const float half = turn_of(sqrt((1 - cosine) * (1 + cosine)), cosine) * kTurn;
+    // Of a circle of r deviations, in steps of an angle d, the polygon's coverage is off by 6e-5 d^4 r^3 (measured).
+    const float deviations = kConeDeviations / sqrt(profile.tangent2);
+    float worst = 0;
+    for (int top = 0; top < 2; ++top) {
+        const float height = top ? tube.half_height : -tube.half_height, radius = rim_radius(tube, height);
+        const float off = max(across - radius, 0.0f), outwards = top ? o.y - height : height - o.y;
+        const float room = sqrt(off * off + outwards * outwards) - lobe.stray;
+        if (!(room > 0)) return 0;
+        float arc = 0;  // the near one, or where the cap is seen the far one; either, where both are
+        if (outwards < lobe.stray) arc = 2 * half;
+        if (outwards > -lobe.stray) arc = max(arc, kTurn - 2 * half);
+        const float r = radius / room * deviations;
+        worst = max(worst, arc * arc * arc * arc * r * r * r);
+    }
+    for (int panel = 2; panel <= kMostPanelSides; ++panel) {
+        const auto count = float(kArcPanels * panel + 2);
+        if (worst <= count * count * count * count) return panel;
+    }
+    return 0;
+}
+
+/// The same of any solid, 1 where it has no rims; 0 if its outline has no such polygon.
+ZERKALO_INLINE int panel_of(const Plan& plan, const TileLobe& lobe, int k) {
+    const SolidPlan& solid = plan.solids[k];
+    if (solid.shape == ShapeKind::tube) return panel_of_rims(solid.tube, lobe, plan.mirrors[0].profile);
+    if (solid.shape == ShapeKind::half_spaces) return plan.outlines[k].edge_count > 0 ? 1 : 0;
+    return solid.shape == ShapeKind::sphere && room_before(solid, lobe) > 0 ? 1 : 0;
+}
+
+/// Notes which of the rivals are taken off the outline of solid k.
+ZERKALO_INLINE CandidateMask chosen_hiders(TileCover& cover, const Plan& plan, const TileLobe& lobe, int k,
+                                           const ScoutNotes& notes, CandidateMask rivals) {
+    CandidateMask can = 0;
+    for (CandidateMask left = rivals; left != 0; left &= left - 1) {
+        const int other = first_of(left);
+        if (notes.before[other] == 0) continue;
+        cover.panel[other] = static_cast<std::uint8_t>(panel_of(plan, lobe, other));
+        if (cover.panel[other] != 0) can |= left & (~left + 1);
+    }
+    if (can == 0) return 0;
+    cover.panel[k] = static_cast<std::uint8_t>(panel_of(plan, lobe, k));
+    if (cover.panel[k] == 0) return 0;
+    const CandidateMask hiders = hiders_of(notes, can);
+    return __builtin_popcountll(cover.hiders | hiders) <= kMaxHiders ? hiders : 0;
+}
 
 /// Solids whose outline can be integrated. A tube's rim is cut into pieces not longer than the lobe is wide.
 ZERKALO_INLINE bool can_be_covered(const Plan& plan, const TileLobe& lobe, int k, CoveredSolid& cover) {
     const SolidPlan& solid = plan.solids[k];
     cover.k = k;
     cover.panels = 1;
-    const Vec3<float> f = solid.bound_centre - lobe.p;
-    const float room = sqrt(dot(f, f)) - solid.bound_radius - lobe.stray;
-    cover.room = room;
+    cover.hidden_by = 0;
+    const float room = cover.room = room_before(solid, lobe);
     if (solid.shape == ShapeKind::half_spaces) return plan.outlines[k].edge_count > 0;
     if (!(room > 0)) return false;
     if (solid.shape == ShapeKind::sphere) return true;
@@ -135,13 +208,16 @@ ZERKALO_INLINE void shade_solid(CoveredSolid& cover, const Plan& plan, const Gla
 
 /// Does the light of covered solids change so little over the tile that a polynomial of third degree in each direction
 /// is good to 10^-4? By how much of the lobe's width the lobes move against the nearest solid.
-ZERKALO_INLINE bool is_smooth(const TileCover& cover, const TileLobe& lobe, const LobeProfile& profile) {
-    // The cone is sqrt(2 ln 2^12) = 4.08 standard deviations wide; the error is 0.046 (span / 4)^4 of a step.
-    constexpr float kWidestSpan = 0.9f, kDeviations = 4.08f;
+ZERKALO_INLINE bool is_smooth(const TileCover& cover, const Plan& plan, const TileLobe& lobe) {
+    // The error is 0.046 (span / 4)^4 of a step.
+    constexpr float kWidestSpan = 0.9f;
     float room = cover.solids[0].room;
     for (std::int32_t i = 1; i < cover.count; ++i) room = min(room, cover.solids[i].room);
-    const float span = 1.42f * (lobe.turn + lobe.stray / room) * kDeviations;
-    return room > 0 && span * span <= kWidestSpan * kWidestSpan * profile.tangent2;
+    for (CandidateMask left = cover.hiders; left != 0; left &= left - 1) {
+        room = min(room, room_before(plan.solids[first_of(left)], lobe));
+    }
+    const float span = 1.42f * (lobe.turn + lobe.stray / room) * kConeDeviations;
+    return room > 0 && span * span <= kWidestSpan * kWidestSpan * plan.mirrors[0].profile.tangent2;
 }
 
 /// Chooses the covered solids of a tile and computes their shades. Nothing here depends on the lobe rays.
@@ -149,6 +225,7 @@ template <class R>
 ZERKALO_ONCE void cover_tile(TileCover& cover, const Plan& plan, const Rect& tile, TileCounts& counts) {
     cover.count = 0;
     cover.smooth = false;
+    cover.hiders = cover.noted = 0;
     const TileLobe lobe = lobe_of_tile<R>(plan, tile);
     if (!lobe.bounded) {
         cover.plain = first_bits(plan.solid_count);
@@ -163,16 +240,27 @@ ZERKALO_ONCE void cover_tile(TileCover& cover, const Plan& plan, const Rect& til
         CoveredSolid& next = cover.solids[cover.count];
         const bool can = cover.count < kMaxCovered && can_be_covered(plan, lobe, k, next);
         Report report{};
-        if (can && (round || rivals != 0)) report = scout<R>(plan, lobe, k, rivals, counts);
+        if (can && (round || rivals != 0)) {
+            ScoutNotes notes;
+            // What is hidden near the lobe may be seen beyond, from the tile's other places.
+            for (const bool all_of_it : {false, true}) {
+                scout<R>(notes, plan, lobe, k, rivals, all_of_it, counts);
+                next.hidden_by = chosen_hiders(cover, plan, lobe, k, notes, rivals);
+                report = sum_of(notes, next.hidden_by);
+                if (rivals == 0 || report.seen > 0) break;
+            }
+        }
         if (!can || (rivals != 0 && !(report.seen > 0))) {
             cover.plain |= CandidateMask{1} << k;
             continue;
         }
         ++cover.count;
+        cover.hiders |= next.hidden_by;
+        cover.noted |= CandidateMask{1} << k | next.hidden_by;
         next.face_count = round ? 2 : plan.solids[k].half_spaces.slab_count;
         shade_solid(next, plan, {lobe.p, lobe.m, lobe.stray}, report, counts);
     }
-    cover.smooth = cover.count > 0 && is_smooth(cover, lobe, plan.mirrors[0].profile);
+    cover.smooth = cover.count > 0 && is_smooth(cover, plan, lobe);
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

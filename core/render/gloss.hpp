@@ -10,7 +10,8 @@
 //     I = background W + sum over f of (c_f - background) coverage_f
 //         + sum over i of  s_i (w_i (L_i - background) - sum over all f that ray i meets of (c_f - background))
 //
-// so that only what differs from the shades is left to the rays. Pixels that do need rays wait in a queue, so that
+// so that only what differs from the shades is left to the rays; where a solid hides another, both sums leave out what
+// is hidden (render/cover_hidden.hpp). Pixels that do need rays wait in a queue, so that
 // packets are full; the lattice's first points are in the plan. Source of max-Phong: Neumann, Neumann, Szirmay-Kalos,
 // "Compact Metallic Reflectance Models", CGF 18(3), 1999.
 #pragma once
@@ -56,11 +57,15 @@ ZERKALO_INLINE void frame_group(GroupFrames<R>& frames, const GlossQueue& queue,
 /// Rays alone: nothing is known of a lobe before them, and nobody asks how sure its average is.
 struct NoAids {
     static constexpr bool kAided = false;
+    template <class R>
+    struct Met {};
 };
 
 /// What a tile's lobe rays can have beside them.
 struct LobeAids {
     static constexpr bool kAided = true;
+    template <class R>
+    using Met = Meetings<R>;
     const TileCover& cover;  // what is known before them
     TileSpread* spread;      // tells how sure the average is; null: nobody asks
     GlossParts parts;        // in the spread
@@ -141,12 +146,19 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
         if (aim.shared >> s & 1) {
             CandidateMask asked = 0;
             Rgb<R> counted = none_yet;
+            typename Aids::template Met<R> meetings;
             const auto each = [&](int k, R face, Mask<R> met) ZERKALO_INLINE_LAMBDA {
-                if constexpr (Aids::kAided) add_counted(counted, aids.cover, k, face, met);
+                if constexpr (Aids::kAided) {
+                    if (aids.cover.hiders != 0) return meetings.add(aids.cover, k, face, met);
+                    add_counted(counted, aids.cover, k, face, met);
+                }
             };
             const Nearest<R> near = nearest_in_lobe(plan, aim, s, p, d, asked, each);
             Mask<R> hit = active & (near.id >= R(0));
             if (none(hit)) continue;
+            if constexpr (Aids::kAided) {
+                if (aids.cover.hiders != 0) counted = counted_of(aids.cover, meetings);
+            }
             if (dips) hit = hit & (ray_cosine(n, chunk, s) > R(0));
             Rgb<R> light = solid_light(plan, asked, near, p, d, hit, background, counts) - background;
             if (weighted) light = scaled(light, lobe_weight(ray_cosine(n, chunk, s), inverse_cosine));

@@ -198,6 +198,7 @@ inline void render_tile_aided(const Plan& plan, const Tile& tile, const LinearIm
     const bool covers = (plan.features & kFeatureCoverage) != 0;
     CoveredTile covered;
     covered.cover.count = 0;
+    covered.cover.hiders = 0;
     LobeAids aids{covered.cover, spread, {}};
     render_tile_glossy<R>(plan, tile, image, counts,
                           [&](GlossQueues& queues, const LatticeClasses& classes, CandidateMask candidates,
