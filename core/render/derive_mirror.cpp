@@ -6,6 +6,7 @@ namespace zerkalo {
 namespace {
 
 constexpr double kTailBound = 0x1p-13;  // share of a lobe's energy that culling may leave out
+constexpr double kUncovered = 0x1p-11;  // share beyond which a solid is not covered
 
 double larger(double a, double b) { return a > b ? a : b; }
 
@@ -81,9 +82,10 @@ void derive_cone(double n, const PlanHead& plan, bool survey, const Constants<F>
     // A keyed rule throws its few rays anywhere: one that culling left out would cost a pixel 1/N, not 1/N of the tail.
     const bool keyed = is_keyed(plan.sampling.estimator);
     const double tail = keyed ? 0 : kTailBound;
-    // The coverage of a solid reaches as far as the lobe does, whatever its rays.
-    const bool whole = plan.sampling.estimator == Estimator::fibonacci_coverage || (survey && !keyed);
-    const double cull = cone(whole ? tail : larger(widest, tail)), all = cone(widest);
+    const double reached = survey && !keyed ? tail : larger(widest, tail);
+    // The coverage of a solid reaches as far as the lobe does, if its rays do not.
+    const bool covered = plan.sampling.estimator == Estimator::fibonacci_coverage && reached > kUncovered;
+    const double cull = cone(covered ? kUncovered : reached), all = cone(widest);
     lobe.cosine = to.weight((1 - cull) * (1 - kRoom * kRoom));
     lobe.sine = to.weight(square_root(cull * (2 - cull)) * (1 + kRoom));
     lobe.widest_sine = to.weight(square_root(all * (2 - all)) * (1 + kRoom) + kRoom);
