@@ -16,10 +16,11 @@ struct FixedNumbersOf<VectorInts<T, kVectorWidth>> { using type = FixedNumbers<k
 
 /// A mask of vector registers as bits, which becomes one again where it is used.
 struct VectorMaskBits {
-    std::uint8_t bits;
+    using Bits = std::conditional_t<(kVectorWidth > 8), std::uint16_t, std::uint8_t>;
+    Bits bits;
 
     VectorMaskBits() = default;
-    ZERKALO_INLINE VectorMaskBits(VectorMask m) : bits(static_cast<std::uint8_t>(bits_of(m))) {}
+    ZERKALO_INLINE VectorMaskBits(VectorMask m) : bits(static_cast<Bits>(bits_of(m))) {}
     ZERKALO_INLINE operator VectorMask() const {
         Words own{};
         for (int k = 0; k < kVectorWidth; ++k) own[k] = 1 << k;
@@ -40,6 +41,15 @@ ZERKALO_INLINE auto registers_of(const A& raw) {
         return all_longs(raw);
     }
 }
+/// Of a word: a uniform factor needs no odd lanes of its own.
+template <class A>
+ZERKALO_INLINE auto factor_of(const A& raw) {
+    if constexpr (IntLaneTraits<A>::kInVectors) {
+        return raw.v;
+    } else {
+        return raw;
+    }
+}
 template <Format F>
 ZERKALO_INLINE auto fixed_of(Words raw) { return with_format<F>(VectorWords(raw)); }
 template <Format F>
@@ -55,6 +65,16 @@ template <class A, class B, Format F>
 ZERKALO_INLINE auto operator-(Fixed<A, F> a, Fixed<B, F> b) {
     return fixed_of<F>(held_difference(registers_of(a.raw), registers_of(b.raw)));
 }
+template <class A, class B, Format F>
+    requires SameElement<A, B> && InVectors<A, B>
+ZERKALO_INLINE auto fitting_sum(Fixed<A, F> a, Fixed<B, F> b) {
+    return fixed_of<F>(fitting_sum(registers_of(a.raw), registers_of(b.raw)));
+}
+template <class A, class B, Format F>
+    requires SameElement<A, B> && InVectors<A, B>
+ZERKALO_INLINE auto fitting_difference(Fixed<A, F> a, Fixed<B, F> b) {
+    return fixed_of<F>(fitting_difference(registers_of(a.raw), registers_of(b.raw)));
+}
 template <class A, Format F>
     requires InVectors<A>
 ZERKALO_INLINE auto operator-(Fixed<A, F> a) {
@@ -63,7 +83,7 @@ ZERKALO_INLINE auto operator-(Fixed<A, F> a) {
 template <class A, Format FA, class B, Format FB>
     requires SingleWord<A> && SingleWord<B> && SameWidth<A, B> && InVectors<A, B>
 ZERKALO_INLINE auto operator*(Fixed<A, FA> a, Fixed<B, FB> b) {
-    return fixed_of<FA + FB>(full_product(registers_of(a.raw), registers_of(b.raw)));
+    return fixed_of<FA + FB>(full_product(factor_of(a.raw), factor_of(b.raw)));
 }
 template <class A, class B, Format F>
     requires SameElement<A, B> && InVectors<A, B>
@@ -127,6 +147,12 @@ ZERKALO_INLINE To as(Fixed<A, F> value) {
         return with_format<To::kFormat>(
             each_lane([](std::int64_t x) { return rescaled<T, kShift>(x); }, value.raw));
     }
+}
+
+template <class To, class A, Format F>
+    requires InVectors<A> && SingleWord<typename To::Representation> && (!SingleWord<A>)
+ZERKALO_INLINE To rounded(Fixed<A, F> value) {
+    return fixed_of<To::kFormat>(rounded_words<F.fraction - To::kFraction>(value.raw.v));
 }
 
 /// A word times 64 bits, rounded once.

@@ -141,6 +141,22 @@ ZERKALO_INLINE To as(From value) {
     return To(value);
 }
 
+/// as<To> of a value that is known to fit: in fixed point it is rounded alone, and not held at the ends of the format.
+template <class To, class From>
+ZERKALO_INLINE To rounded(From value) {
+    return as<To>(value);
+}
+
+/// a + b and a - b that are known to fit: in fixed point they are not held at the ends of the format.
+template <class A, class B>
+ZERKALO_INLINE auto fitting_sum(A a, B b) {
+    return a + b;
+}
+template <class A, class B>
+ZERKALO_INLINE auto fitting_difference(A a, B b) {
+    return a - b;
+}
+
 /// a / b in the format To. Division by zero follows IEEE 754 in float.
 template <class To, class A, class B>
 ZERKALO_INLINE To quotient(A a, B b) {

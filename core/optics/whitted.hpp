@@ -29,7 +29,7 @@ struct ToLight {
 template <class F, class L, class D>
 ZERKALO_INLINE ToLight<Numbers<L>> towards(const LightDataOf<F>& light, Vec3<L> p, Vec3<D> n) {
     const auto way = unit_of(light.position - p);
-    return {way.unit, way.length, as<Weight<L>>(dot(n, way.unit))};
+    return {way.unit, way.length, rounded<Weight<L>>(dot(n, way.unit))};
 }
 
 /// 1 / d^2
@@ -47,7 +47,7 @@ template <class F, class R>
 ZERKALO_INLINE Rgb<Radiance<R>> light_share(const LightDataOf<F>& light, const ToLight<R>& to, Vec3<Direction<R>> n,
                                             Vec3<Direction<R>> v, const SurfaceDataOf<F>& surface, Mask<R> lit) {
     using W = Weight<R>;
-    Rgb<W> share = as<W>(scaled(spread<W>(surface.diffuse), to.n_dot_l));
+    Rgb<W> share = rounded<W>(scaled(spread<W>(surface.diffuse), to.n_dot_l));
     if (surface.shininess == typename F::Exponent(0)) {
         // Whatever the angle: max(0, R.V)^0 = 1, the constant lobe.
         share = share + spread<W>(surface.specular);
@@ -62,7 +62,7 @@ ZERKALO_INLINE Rgb<Radiance<R>> light_share(const LightDataOf<F>& light, const T
             // Lane by lane: the other lanes get a cheap answer.
             if constexpr (Formats<R>::kFixed) asked = select(bright, x, decltype(half_of(dot(v, v)))(1));
             const W highlight = select(bright, as<W>(power_of_one_minus(asked, Exponent<R>(surface.shininess))), W(0));
-            share = share + as<W>(scaled(spread<W>(surface.specular), highlight));
+            share = share + rounded<W>(scaled(spread<W>(surface.specular), highlight));
         }
     }
     const auto arriving = as<Radiance<R>>(spread<Radiance<R>>(light.power) * share);

@@ -101,11 +101,16 @@ ZERKALO_ONCE void render_tile_one_bounce_fixed(const PlanFor<R>& plan, const Til
     counts.shadow += tile_counts.shadow;
 }
 
-/// Renders one tile of any scene, by the smaller kernel that can.
-template <class R>
+/// Renders one tile of any scene, by the smaller kernel that can. `general_alone`: none but scenes that need the general
+/// kernel; more than eight lanes: none of these.
+template <class R, bool general_alone>
 ZERKALO_INLINE void render_tile_fixed(const PlanFor<R>& plan, const Tile& tile, const LinearImage& image,
                                       RayCounts& counts) {
-    if (plan.features & kNeedsGeneral) {
+    if constexpr (general_alone) {
+        render_tile_general<R>(plan, tile, image, counts);
+    } else if constexpr (kWidth<R> > 8) {
+        render_tile_one_bounce_fixed<R>(plan, tile, image, counts);
+    } else if (plan.features & kNeedsGeneral) {
         render_tile_general<R>(plan, tile, image, counts);
     } else {
         render_tile_one_bounce_fixed<R>(plan, tile, image, counts);

@@ -57,10 +57,10 @@ ZERKALO_INLINE LobeRay<R> lobe_ray(const LobePoint<R>& point, Vec3<Direction<R>>
     using D = Direction<R>;
     using W = Weight<R>;
     const Vec3<D> in_frame{point.forward, point.side, point.up};
-    const Vec3<D> d{as<D>(dot(Vec3<D>{m.x, base.t.x, base.b.x}, in_frame)),
-                    as<D>(dot(Vec3<D>{m.y, base.t.y, base.b.y}, in_frame)),
-                    as<D>(dot(Vec3<D>{m.z, base.t.z, base.b.z}, in_frame))};
-    const W cosine = as<W>(dot(d, n));
+    const Vec3<D> d{rounded<D>(dot(Vec3<D>{m.x, base.t.x, base.b.x}, in_frame)),
+                    rounded<D>(dot(Vec3<D>{m.y, base.t.y, base.b.y}, in_frame)),
+                    rounded<D>(dot(Vec3<D>{m.z, base.t.z, base.b.z}, in_frame))};
+    const W cosine = rounded<W>(dot(d, n));
     W weight = W(1);
     if (any(max_phong)) weight = select(max_phong, lobe_weight_of(cosine, as<W>(dot(m, n))), W(1));
     return {d, weight, Mask<R>(cosine > W(0))};
@@ -187,11 +187,11 @@ ZERKALO_INLINE Mask<R> cone_may_meet(const SolidPlanFor<R>& solid, const LobeFor
     using One = Uniform<R>;
     // Room for the rounding of a few products of lengths up to 15.
     constexpr auto kRoom = Length<One>::from_raw(1 << 8);
-    const Vec3<L> f = solid.bound_centre - p;
-    const L along = as<L>(dot(f, m));
+    const Vec3<L> f = fitting_difference(solid.bound_centre, p);
+    const L along = rounded<L>(dot(f, m));
     const auto radius = as<Length<One>>(solid.bound_radius * lobe.cone.secant) + kRoom;
     const L reach = as<L>(along * lobe.cone.tangent) + L(radius);
-    const Mask<R> ahead = reach >= L(0), near = dot(f, f) - along * along <= reach * reach + Area<R>(kSquareRoom<R>);
+    const Mask<R> ahead = reach >= L(0), near = fitting_difference(dot_of_ways(f, f), along * along) <= fitting_sum(reach * reach, kSquareRoom<R>);
     return ahead & near;
 }
 

@@ -132,9 +132,10 @@ template <class R, class A>
     requires(Formats<R>::kFixed)
 ZERKALO_INLINE Mask<R> may_meet(const SolidPlanFor<R>& solid, Vec3<Fixed<A, Length<R>::kFormat>> o,
                                 Vec3<Direction<R>> d, Mask<R> active) {
-    const auto f = o - solid.bound_centre;
-    const auto along = as<Length<R>>(dot(f, d));
-    const auto beyond = dot(f, f) - (solid.bound_radius * solid.bound_radius + kSquareRoom<R>);
+    const auto f = fitting_difference(o, solid.bound_centre);
+    const auto along = rounded<Length<R>>(dot(f, d));
+    const auto beyond =
+        fitting_difference(dot_of_ways(f, f), fitting_sum(solid.bound_radius * solid.bound_radius, kSquareRoom<R>));
     return active & (along * along >= beyond);
 }
 

@@ -162,7 +162,7 @@ ZERKALO_INLINE void light_solids(const PlanFor<R>& plan, CandidateMask candidate
         const SolidPlanFor<R>& solid = plan.solids[k];
         const auto here = active & (hit.id == Index<R>(solid.id));
         if (none(here)) continue;
-        const Vec3<Length<R>> p = o + as<Length<R>>(d * hit.t);
+        const Vec3<Length<R>> p = fitting_sum(o, rounded<Length<R>>(d * hit.t));
         const Vec3<Direction<R>> n = normal_towards<R>(plan, solid, p, hit.face, d, Mask<R>(here));
         const Departure<R> spot{Index<R>(solid.id), hit.face, hit.from_inside};
         const bool own_counts = solid.shape == ShapeKind::mesh || any(here & hit.from_inside);
@@ -265,7 +265,7 @@ ZERKALO_INLINE MirrorSpot<R> light_mirror(const PlanFor<R>& plan, int m, const B
     const Vec3<Direction<R>> outward = mirror_normal(mirror.shape, hit.x, hit.y, hit.z);
     const auto front = here & (dot(outward, d) < Square<R>(0));
     const Departure<R> spot{index_of<R>(kMaxSolids + m), Index<R>(0), mask_of<R>(false)};
-    const MirrorSpot<R> at{o + as<Length<R>>(d * hit.t), select(front, outward, -outward), spot, Mask<R>(front)};
+    const MirrorSpot<R> at{fitting_sum(o, rounded<Length<R>>(d * hit.t)), select(front, outward, -outward), spot, Mask<R>(front)};
     for (int side = 0; side < 2; ++side) {
         const Mask<R> seen = side == 0 ? Mask<R>(front) : Mask<R>(here & (!front));
         if (none(seen)) continue;
