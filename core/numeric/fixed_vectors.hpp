@@ -203,6 +203,23 @@ ZERKALO_INLINE To quotient(Fixed<A, FA> a, Fixed<B, FB> b) {
     }
 }
 
+/// As 64 bits: of a word by a word, for 33 more bits.
+template <class To, class A, Format FA, class B, Format FB>
+    requires InVectors<B> && SingleWord<A> && SingleWord<B> && (!SingleWord<typename To::Representation>) &&
+             (To::kFraction - FA.fraction + FB.fraction == 33)
+ZERKALO_INLINE To quotient(Fixed<A, FA> a, Fixed<B, FB> b) {
+    return fixed_of<To::kFormat>(long_quotient_longs(registers_of(a.raw), registers_of(b.raw)));
+}
+
+/// Two words by one.
+template <class To, class A, Format FA, class B, Format FB>
+    requires InVectors<B> && SingleWord<A> && SingleWord<B> && SingleWord<typename To::Representation>
+ZERKALO_INLINE QuotientPair<To> quotients(Fixed<A, FA> first, Fixed<A, FA> second, Fixed<B, FB> divisor) {
+    const WordPair pair = rounded_quotients<To::kFraction - FA.fraction + FB.fraction>(
+        factor_of(first.raw), factor_of(second.raw), divisor.raw.v);
+    return {fixed_of<To::kFormat>(pair.first), fixed_of<To::kFormat>(pair.second)};
+}
+
 template <class To, class A, Format F>
     requires InVectors<A> && SingleWord<typename To::Representation>
 ZERKALO_INLINE To root(Fixed<A, F> a) {

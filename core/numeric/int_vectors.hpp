@@ -226,6 +226,14 @@ ZERKALO_INLINE Doubles double_of(Quads x) {
 }
 /// The double x, |x| < 2^51.
 ZERKALO_INLINE Doubles double_of_small(Quads x) { return Doubles(x + 0x4338000000000000) - 0x1.8p52; }
+/// The doubles of words.
+ZERKALO_INLINE DoubleParts doubles_of(Words x) {
+    // x + 2^31 as the low words of doubles near 2^52.
+    const Words above = x ^ Words(all_words(std::numeric_limits<std::int32_t>::min())), near = all_words(0x43300000);
+    const Words odd = Words(UnsignedQuads(above) >> 32);
+    return {Doubles(alternating(above, near)) - (0x1p52 + 0x1p31), Doubles(alternating(odd, near)) - (0x1p52 + 0x1p31)};
+}
+ZERKALO_INLINE DoubleParts doubles_of(std::int32_t x) { return {Doubles{} + double(x), Doubles{} + double(x)}; }
 /// The integer nearest to x, |x| < 2^31, in the low words; what is above them means nothing.
 ZERKALO_INLINE Quads nearest_in_low_words(Doubles x) { return Quads(x + 0x1.8p52); }
 

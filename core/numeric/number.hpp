@@ -163,6 +163,16 @@ ZERKALO_INLINE To quotient(A a, B b) {
     return To(a) / To(b);
 }
 
+/// Two quotients by one divisor.
+template <class To>
+struct QuotientPair {
+    To first, second;
+};
+template <class To, class A, class B>
+ZERKALO_INLINE QuotientPair<To> quotients(A first, A second, B divisor) {
+    return {quotient<To>(first, divisor), quotient<To>(second, divisor)};
+}
+
 /// a b in the format To, where the product has no format of its own.
 template <class To, class A, class B>
 ZERKALO_INLINE To product(A a, B b) {

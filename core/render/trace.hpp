@@ -55,8 +55,9 @@ template <class R>
 using SurfaceFor = SurfaceDataOf<Formats<R>>;
 
 template <class R>
-ZERKALO_ONCE Rgb<Radiance<R>> local_light_anywhere(const PlanFor<R>& plan, Vec3<Length<R>> p, Vec3<Direction<R>> n,
-                                                   Vec3<Direction<R>> d, const Departure<R>& spot, Mask<R> active,
+ZERKALO_ONCE Rgb<Radiance<R>> local_light_anywhere(const PlanFor<R>& plan, const Vec3<Length<R>>& p,
+                                                   const Vec3<Direction<R>>& n, const Vec3<Direction<R>>& d,
+                                                   const Departure<R>& spot, const Mask<R>& active,
                                                    const SurfaceFor<R>& surface, const Blockers& blockers,
                                                    CandidateMask own, TileCounts& counts) {
     Rgb<Radiance<R>> sum = spread<Radiance<R>>(surface.ambient);
@@ -262,7 +263,9 @@ ZERKALO_INLINE MirrorSpot<R> light_mirror(const PlanFor<R>& plan, int m, const B
                                           const AnyHit<R>& hit, Vec3<Length<R>> o, Vec3<Direction<R>> d, Mask<R> here,
                                           Rgb<Weight<R>> throughput, Rgb<LightSum<R>>& sum, TileCounts& counts) {
     const MirrorPlanFor<R>& mirror = plan.mirrors[m];
-    const Vec3<Direction<R>> outward = mirror_normal(mirror.shape, hit.x, hit.y, hit.z);
+    Vec3<Direction<R>> outward = spread<Direction<R>>(mirror.shape.n);
+    // Of a plane exactly n in fixed point; in floating point zeros may get another sign.
+    if (!Formats<R>::kFixed || mirror.curved) outward = mirror_normal(mirror.shape, hit.x, hit.y, hit.z);
     const auto front = here & (dot(outward, d) < Square<R>(0));
     const Departure<R> spot{index_of<R>(kMaxSolids + m), Index<R>(0), mask_of<R>(false)};
     const MirrorSpot<R> at{fitting_sum(o, rounded<Length<R>>(d * hit.t)), select(front, outward, -outward), spot, Mask<R>(front)};

@@ -100,10 +100,9 @@ ZERKALO_INLINE Span<N> tube_span(const T& tube, Vec3<O> from, Vec3<Direction<N>>
     Span<N> span = lateral_span<Tapered, N>(tube, o, d);
     if (none(span.entry <= span.exit)) return span;
 
-    const L at_base = quotient<L>(L(-tube.half_height) - o.y, d.y);
-    const L at_top = quotient<L>(L(tube.half_height) - o.y, d.y);
-    const L enter = min(at_base, at_top);
-    const L leave = max(at_base, at_top);
+    const auto at = quotients<L>(L(-tube.half_height) - o.y, L(tube.half_height) - o.y, d.y);
+    const L enter = min(at.first, at.second);
+    const L leave = max(at.first, at.second);
     const auto cap = index_of<N>(kCapFace), side = index_of<N>(kLateralFace);
     if constexpr (F != Faces::none) span.face_in = select(enter > span.entry, cap, side);
     if constexpr (F == Faces::both) span.face_out = select(leave < span.exit, cap, side);
