@@ -20,6 +20,11 @@ struct VectorMaskBits {
     Bits bits;
 
     VectorMaskBits() = default;
+    static ZERKALO_INLINE VectorMask of_bits(std::uint32_t bits) {
+        VectorMaskBits stored;
+        stored.bits = static_cast<Bits>(bits);
+        return stored;
+    }
     ZERKALO_INLINE VectorMaskBits(VectorMask m) : bits(static_cast<Bits>(bits_of(m))) {}
     ZERKALO_INLINE operator VectorMask() const {
         Words own{};

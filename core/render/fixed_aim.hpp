@@ -85,11 +85,11 @@ ZERKALO_INLINE RayMask rays_near_ball(const RayChunk& chunk, std::int32_t count,
 }
 
 /// The largest lane.
-template <class R>
-ZERKALO_INLINE Area<Uniform<R>> largest_lane_of(const Area<R>& x) {
+template <class A, Format F>
+ZERKALO_INLINE auto largest_lane_of(const Fixed<A, F>& x) {
     auto most = lane_of(x.raw, 0);
-    for (int k = 1; k < kWidth<R>; ++k) most = lane_of(x.raw, k) > most ? lane_of(x.raw, k) : most;
-    return with_format<Area<R>::kFormat>(most);
+    for (int k = 1; k < kLanesOf<A>; ++k) most = lane_of(x.raw, k) > most ? lane_of(x.raw, k) : most;
+    return with_format<F>(most);
 }
 
 /// The first pixel's point and frame, and how far the other frames turn away from it (Frobenius norm).
@@ -122,7 +122,7 @@ ZERKALO_INLINE LobePilot<R> pilot_of(Vec3<Length<R>> o, Vec3<Direction<R>> m, co
         return dot(off, off);
     };
     const Area<R> sum = away(m, pilot.m) + away(base.t, pilot.t) + away(base.b, pilot.b);
-    pilot.turning = root<Length<Uniform<R>>>(largest_lane_of<R>(sum)) + Length<Uniform<R>>::from_raw(kFewSteps);
+    pilot.turning = root<Length<Uniform<R>>>(largest_lane_of(sum)) + Length<Uniform<R>>::from_raw(kFewSteps);
     return pilot;
 }
 
@@ -174,7 +174,7 @@ ZERKALO_INLINE RayMask rays_to_solid(const PlanFor<R>& plan, const SolidPlanFor<
     const Vec3<L> centre{as<L>(dot(f, base.t)), as<L>(dot(f, base.b)), as<L>(dot(f, m))};
     const Vec3<One> c = first_lane_of(centre);
     const Vec3<L> off = centre - spread<L>(c);
-    const One stray = root<One>(largest_lane_of<R>(dot(off, off))) + One::from_raw(kFewSteps);
+    const One stray = root<One>(largest_lane_of(dot(off, off))) + One::from_raw(kFewSteps);
     if (stray > One(1)) return first_rays(count);
     const One reach = solid.bound_radius + stray;
     const RayMask near = rays_near_ball<R>(chunk, count, c, dot(c, c) - (reach * reach + kSquareRoom<R>));

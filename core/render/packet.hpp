@@ -62,13 +62,25 @@ ZERKALO_INLINE Pixels<R> row_lanes(const Rect& tile, int first) {
     return row + load_places<R>(kRows, 0);
 }
 
+/// Lanes whose pixel is one of the set.
+template <class R>
+ZERKALO_INLINE Mask<R> lanes_in(std::uint64_t pixels, int first) {
+    if constexpr (requires { StoredMask<R>::of_bits(0u); }) {
+        return StoredMask<R>::of_bits(static_cast<std::uint32_t>(pixels >> first));
+    } else {
+        auto lanes = mask_of<R>(false);
+        for (int k = 0; k < kWidth<R>; ++k) set_lane(lanes, k, (pixels >> (first + k) & 1) != 0);
+        return lanes;
+    }
+}
+
 /// Lanes whose pixel is one of the tile's.
 template <class R>
 ZERKALO_INLINE Mask<R> lanes_of(const Tile& tile, int first) {
     if (tile.pixels == kWholeTile) return mask_of<R>(true);
     auto active = mask_of<R>(false);
     if constexpr (Formats<R>::kFixed || kWidth<R> == 1) {
-        for (int k = 0; k < kWidth<R>; ++k) set_lane(active, k, (tile.pixels >> (first + k) & 1) != 0);
+        active = lanes_in<R>(tile.pixels, first);
     } else {
         // A lane's bit makes a float of [1, 2) more than 1.
         const auto here = Bits<R>(static_cast<std::uint32_t>(tile.pixels >> first)) & load_bits<R>(kLaneNumbers.powers);

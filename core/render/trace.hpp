@@ -236,7 +236,7 @@ ZERKALO_INLINE void continue_at_mirror(const PlanFor<R>& plan, const PathPacket<
     } else {
         const Rgb<W> part = as<W>(scaled(throughput, one_part_of<R>(plan.samples)));
         CandidateMask candidates;
-        const Mask<R> sending = lanes_with_rays<R>(plan, lobe, p, d, part, front, candidates, sum);
+        const Mask<R> sending = lanes_with_rays<R>(plan, lobe, p, d, part, front, solids_in(all_of(plan)), candidates, sum);
         if (none(sending)) return;
         next.job.candidates |= candidates;
         go_on<R>(next.job, sending, p, d, part, spot);
