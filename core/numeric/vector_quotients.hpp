@@ -209,23 +209,29 @@ ZERKALO_ONCE VectorWords long_quotient_words(const VectorLongs& a, const VectorL
 
 /// rescaled_wide_product() to 64 bits of two numbers >= 0.
 template <int Shift>
-ZERKALO_INLINE Longs rescaled_wide_product(const Longs& a, const Longs& b) {
+ZERKALO_INLINE Quads rescaled_wide_product(Quads a, Quads b) {
     static_assert(Shift > 0 && Shift < 64);
+    const UnsignedQuads p = UnsignedQuads(a), q = UnsignedQuads(b);
+    const UnsignedQuads low = low_product(p, q);
+    const UnsignedQuads one = low_product(p >> 32, q) + (low >> 32);
+    UnsignedQuads two = low_product(p, q >> 32) + (one & 0xffffffffu), rest{};
+    if constexpr (Shift > 32) {
+        // The half that rounds is of the second word and upwards; there is room for it.
+        two += std::uint64_t{1} << (Shift - 33);
+        rest = (two & 0xffffffffu) >> (Shift - 32);
+    } else {
+        const UnsignedQuads rounded = (low & 0xffffffffu) + (std::uint64_t{1} << (Shift - 1));
+        two += rounded >> 32;
+        rest = ((two << 32) | (rounded & 0xffffffffu)) >> Shift;
+    }
+    const UnsignedQuads high = low_product(p >> 32, q >> 32) + (one >> 32) + (two >> 32);
+    const Quads whole = Quads((high << (64 - Shift)) | rest);
+    return where_negative(Quads(high >> (Shift - 1) != 0), Quads{} + kMostLong, whole);
+}
+template <int Shift>
+ZERKALO_INLINE Longs rescaled_wide_product(const Longs& a, const Longs& b) {
     return each_part(
-        [](Quads x, Quads y) ZERKALO_INLINE_LAMBDA {
-            const UnsignedQuads p = UnsignedQuads(x), q = UnsignedQuads(y);
-            const UnsignedQuads low = low_product(p, q);
-            const UnsignedQuads one = low_product(p >> 32, q) + (low >> 32);
-            const UnsignedQuads two = low_product(p, q >> 32) + (one & 0xffffffffu);
-            const UnsignedQuads bottom = (two << 32) | (low & 0xffffffffu);
-            UnsignedQuads high = low_product(p >> 32, q >> 32) + (one >> 32) + (two >> 32);
-            const UnsignedQuads rounded = bottom + (std::uint64_t{1} << (Shift - 1));
-            // A carry goes up: the rounded number is then the smaller one.
-            high += UnsignedQuads(rounded < bottom) & 1u;
-            const Quads whole = Quads((high << (64 - Shift)) | (rounded >> Shift));
-            return where_negative(Quads(high >> (Shift - 1) != 0), Quads{} + kMostLong, whole);
-        },
-        a, b);
+        [](Quads x, Quads y) ZERKALO_INLINE_LAMBDA { return rescaled_wide_product<Shift>(x, y); }, a, b);
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

@@ -2,6 +2,7 @@
 #include "core/render/kernel.hpp"
 
 #include "core/geometry/vector_algebra.hpp"
+#include "core/numeric/vector_elementary.hpp"
 #include "core/render/fixed_bounce.hpp"
 #if ZERKALO_WIDTH > 1
 #include "core/numeric/float_mode.hpp"
