@@ -60,6 +60,18 @@ ZERKALO_INLINE auto fixed_of(Words raw) { return with_format<F>(VectorWords(raw)
 template <Format F>
 ZERKALO_INLINE auto fixed_of(const Longs& raw) { return with_format<F>(VectorLongs(raw)); }
 
+/// The nearest floats.
+using Floats = Vector<float, kVectorWidth>;
+template <class A, Format F>
+    requires InVectors<A> && SingleWord<A>
+ZERKALO_INLINE Floats floats_of(Fixed<A, F> a) {
+    return __builtin_convertvector(a.raw.v, Floats) * (1.0f / float(std::int64_t{1} << F.fraction));
+}
+template <Format F>
+ZERKALO_INLINE float float_of(Fixed<std::int32_t, F> a) {
+    return float(a.raw) * (1.0f / float(std::int64_t{1} << F.fraction));
+}
+
 template <class A, class B, Format F>
     requires SameElement<A, B> && InVectors<A, B>
 ZERKALO_INLINE auto operator+(Fixed<A, F> a, Fixed<B, F> b) {
@@ -129,6 +141,12 @@ template <class A, Format F>
 ZERKALO_INLINE Fixed<A, F> flip_sign(Fixed<A, F> a, Fixed<A, F> sign) {
     const Words s = sign_of(sign.raw.v);
     return fixed_of<F>((a.raw.v ^ s) - s);
+}
+
+template <class A, Format F>
+    requires InVectors<A> && SingleWord<A>
+ZERKALO_INLINE Fixed<A, F> absolute(Fixed<A, F> a) {
+    return fixed_of<F>(Words(magnitude_of(a.raw.v)));
 }
 
 template <class To, class A, Format F>

@@ -210,8 +210,8 @@ ZERKALO_INLINE bool passed_by(const PlanFor<R>& plan, const LightPlanFor<R>& lig
     } else {
         if (plan.exact_plan) return false;
         const SolidPlanFor<R>& solid = plan.solids[k];
-        return light.data.distant ? none(may_meet<R>(solid, p, to.l, visible))
-                                  : none(may_meet<R>(solid, light.data.position, to.l, visible));
+        if (light.data.distant) return none(may_meet<R>(solid, p, to.l, visible));
+        return !any_may_meet<R>(solid, light.data.position, to.l, visible);
     }
 }
 

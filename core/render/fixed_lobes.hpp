@@ -87,10 +87,10 @@ ZERKALO_INLINE WaitingPacket<R> load_waiting(const WaitingLobes& waiting, int fi
             lanes_in<R>(waiting.pixels, first)};
 }
 
-/// The sum of the components' sizes: at least the distance.
+/// The largest component: at least the distance over the root of 3.
 template <class L>
-ZERKALO_INLINE L size_of(const Vec3<L>& v) {
-    return absolute(v.x) + absolute(v.y) + absolute(v.z);
+ZERKALO_INLINE L largest_of(const Vec3<L>& v) {
+    return max(max(absolute(v.x), absolute(v.y)), absolute(v.z));
 }
 
 /// Solids that some waiting pixel's lobe may be near, by the lobe of the first one: the others' points and directions
@@ -107,17 +107,19 @@ ZERKALO_INLINE CandidateMask solids_near_lobes(const PlanFor<R>& plan, const Wai
     for (int first = 0; first < kTilePixels; first += kWidth<R>) {
         const WaitingPacket<R> packet = load_waiting<R>(waiting, first);
         if (none(packet.active)) continue;
-        stray = max(stray, select(packet.active, size_of(packet.o - spread<L>(at.o)), L(0)));
-        turn = max(turn, select(packet.active, size_of(packet.m - spread<D>(at.m)), D(0)));
+        const L off = largest_of(fitting_difference(packet.o, spread<L>(at.o)));
+        stray = max(stray, select(packet.active, off, L(0)));
+        turn = max(turn, select(packet.active, largest_of(packet.m - spread<D>(at.m)), D(0)));
     }
     // More than the root of the packets' own room.
     constexpr auto kRoom = Length<One>::from_raw(1 << 18);
-    const auto most_stray = largest_lane_of(stray) + kRoom;
+    const auto most_off = largest_lane_of(stray), most_angle = as<Length<One>>(largest_lane_of(turn));
+    const auto most_stray = most_off + most_off + kRoom, most_turn = most_angle + most_angle;
     CandidateMask near = 0;
     for (std::int32_t k = 0; k < plan.solid_count; ++k) {
         const auto way = plan.solids[k].bound_centre - at.o;
         const auto far = root<Length<One>>(dot_of_ways(way, way)) + kRoom;
-        const auto around = most_stray + as<Length<One>>(far * largest_lane_of(turn));
+        const auto around = most_stray + as<Length<One>>(far * most_turn);
         if (cone_may_meet<One>(plan.solids[k], plan.mirrors[0].lobe, at.o, at.m, around)) near |= CandidateMask{1} << k;
     }
     return near;
