@@ -28,7 +28,7 @@ struct ToLight {
 
 template <class F, class L, class D>
 ZERKALO_INLINE ToLight<Numbers<L>> towards(const LightDataOf<F>& light, Vec3<L> p, Vec3<D> n) {
-    const auto way = unit_of(light.position - p);
+    const auto way = unit_of(fitting_difference(light.position, p));
     return {way.unit, way.length, rounded<Weight<L>>(dot(n, way.unit))};
 }
 

@@ -53,7 +53,8 @@ ZERKALO_INLINE Span<N> lateral_span(const T& tube, Vec3<Length<N>> o, Vec3<Direc
         w_z = fitting_difference(w_z, n * o.z);
     }
     const L x = rounded<L>(fitting_difference(o.x * d.z, o.z * d.x));
-    const L v_x = as<L>(w_x), v_z = as<L>(w_z);
+    // Of a cylinder a part of its radius.
+    const L v_x = Tapered ? as<L>(w_x) : rounded<L>(w_x), v_z = Tapered ? as<L>(w_z) : rounded<L>(w_z);
     const A disc = fitting_difference(fitting_sum(v_x * v_x, v_z * v_z), x * x);
     const A zero = A(0);
     auto exists = (disc >= zero) | (a < zero);
