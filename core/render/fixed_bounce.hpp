@@ -25,7 +25,7 @@ ZERKALO_INLINE void reflect_once(const PlanFor<R>& plan, const MirrorSpot<R>& at
     }
     counts.reflected += count_of(at.front);
     const CandidateMask solids = first_bits(plan.solid_count);
-    const Nearest<R> near = nearest_from<R>(plan, solids, PointOrigin<Length<R>>{at.p}, at.p, m, at.front);
+    const Nearest<R> near = nearest_from_mirror<R>(plan, solids, at.p, m, at.front);
     add_nearest<R>(plan, solids, near, at.p, m, at.front, spread<W>(mirror.reflectance), sum, counts);
 }
 

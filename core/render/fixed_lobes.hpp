@@ -163,6 +163,13 @@ ZERKALO_INLINE Nearest<R> nearest_from(const PlanFor<R>& plan, CandidateMask can
     return best;
 }
 
+/// The same from points of the mirror, where nothing better is known. Called, not inlined: seldom, and it takes registers.
+template <class R>
+ZERKALO_ONCE Nearest<R> nearest_from_mirror(const PlanFor<R>& plan, CandidateMask candidates, const Vec3<Length<R>>& o,
+                                            const Vec3<Direction<R>>& d, const Mask<R>& active) {
+    return nearest_from<R>(plan, candidates, PointOrigin<Length<R>>{o}, o, d, active);
+}
+
 /// Adds the light of the nearest solids along d, times the throughput, and the background where there is none.
 template <class R>
 ZERKALO_INLINE void add_nearest(const PlanFor<R>& plan, CandidateMask candidates, const Nearest<R>& near,
@@ -221,7 +228,7 @@ ZERKALO_INLINE void shoot_rays(const PlanFor<R>& plan, const RayChunk& rays, std
             near = nearest_aimed<R>(plan, aim, i, ray.d, above, asked);
         } else {
             asked = lobes.candidates;
-            near = nearest_from<R>(plan, asked, PointOrigin<Length<R>>{lobes.o}, lobes.o, ray.d, above);
+            near = nearest_from_mirror<R>(plan, asked, lobes.o, ray.d, above);
         }
         add_nearest<R>(plan, asked, near, lobes.o, ray.d, above, throughput, sum, counts);
     }
