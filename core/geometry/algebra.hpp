@@ -42,6 +42,29 @@ ZERKALO_INLINE Rgb<To> as(Rgb<From> a) {
     return {as<To>(a.r), as<To>(a.g), as<To>(a.b)};
 }
 
+/// as<To>, a + b and a - b of vectors that are known to fit.
+template <class To, class From>
+ZERKALO_INLINE Vec3<To> rounded(Vec3<From> a) {
+    return {rounded<To>(a.x), rounded<To>(a.y), rounded<To>(a.z)};
+}
+template <class To, class From>
+ZERKALO_INLINE Rgb<To> rounded(Rgb<From> a) {
+    return {rounded<To>(a.r), rounded<To>(a.g), rounded<To>(a.b)};
+}
+template <class A, class B>
+ZERKALO_INLINE auto fitting_sum(Vec3<A> a, Vec3<B> b) -> Vec3<decltype(a.x + b.x)> {
+    return {fitting_sum(a.x, b.x), fitting_sum(a.y, b.y), fitting_sum(a.z, b.z)};
+}
+template <class A, class B>
+ZERKALO_INLINE auto fitting_difference(Vec3<A> a, Vec3<B> b) -> Vec3<decltype(a.x - b.x)> {
+    return {fitting_difference(a.x, b.x), fitting_difference(a.y, b.y), fitting_difference(a.z, b.z)};
+}
+/// The dot product of two ways between points of the scene, at most 15 long.
+template <class A, class B>
+ZERKALO_INLINE auto dot_of_ways(Vec3<A> a, Vec3<B> b) -> decltype(a.x * b.x) {
+    return fitting_sum(fitting_sum(a.x * b.x, a.y * b.y), a.z * b.z);
+}
+
 /// a s in the format To, and a dot product each of whose terms is rounded to To: where a product has no format.
 template <class To, class A, class B>
 ZERKALO_INLINE Vec3<To> product(Vec3<A> a, B s) {

@@ -13,10 +13,10 @@ template <class A, Format FA, class B, Format FB>
     requires SingleWord<A> && SingleWord<B> && InVectors<A, B>
 ZERKALO_INLINE auto dot(Vec3<Fixed<A, FA>> a, Vec3<Fixed<B, FB>> b) {
     constexpr Format kDirection = FixedFormats::Direction::kFormat;
-    const Longs two = sum_of_products((a.x * b.x).raw.v, (a.y * b.y).raw.v);
+    const Longs two = fitting_sum((a.x * b.x).raw.v, (a.y * b.y).raw.v);
     const Longs third = (a.z * b.z).raw.v;
     if constexpr (FA == kDirection || FB == kDirection) {
-        return fixed_of<FA + FB>(sum_of_products(two, third));
+        return fixed_of<FA + FB>(fitting_sum(two, third));
     } else {
         return fixed_of<FA + FB>(held_sum(two, third));
     }
@@ -24,9 +24,9 @@ ZERKALO_INLINE auto dot(Vec3<Fixed<A, FA>> a, Vec3<Fixed<B, FB>> b) {
 template <class A, Format FA, class B, Format FB>
     requires SingleWord<A> && SingleWord<B> && InVectors<A, B>
 ZERKALO_INLINE auto cross(Vec3<Fixed<A, FA>> a, Vec3<Fixed<B, FB>> b) {
-    const auto x = fixed_of<FA + FB>(difference_of_products((a.y * b.z).raw.v, (a.z * b.y).raw.v));
-    const auto y = fixed_of<FA + FB>(difference_of_products((a.z * b.x).raw.v, (a.x * b.z).raw.v));
-    const auto z = fixed_of<FA + FB>(difference_of_products((a.x * b.y).raw.v, (a.y * b.x).raw.v));
+    const auto x = fixed_of<FA + FB>(fitting_difference((a.y * b.z).raw.v, (a.z * b.y).raw.v));
+    const auto y = fixed_of<FA + FB>(fitting_difference((a.z * b.x).raw.v, (a.x * b.z).raw.v));
+    const auto z = fixed_of<FA + FB>(fitting_difference((a.x * b.y).raw.v, (a.y * b.x).raw.v));
     return Vec3<std::remove_const_t<decltype(x)>>{x, y, z};
 }
 

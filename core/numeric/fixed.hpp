@@ -121,6 +121,25 @@ ZERKALO_INLINE constexpr To as(Fixed<A, F> value) {
     }
 }
 
+/// The same of a number that fits: a checked build watches that it does.
+template <class To, class A, Format F>
+ZERKALO_INLINE constexpr To rounded(Fixed<A, F> value) {
+    using T = typename To::Element;
+    constexpr int kShift = F.fraction - To::kFraction;
+    static_assert(kShift > 0);
+    return with_format<To::kFormat>(
+        each_lane([](std::int64_t x) { return rounded_shift<T, kShift>(x); }, value.raw));
+}
+template <class A, class B, Format F>
+    requires SameElement<A, B>
+[[gnu::const]] ZERKALO_INLINE constexpr auto fitting_sum(Fixed<A, F> a, Fixed<B, F> b) {
+    using T = LaneElement<A>;
+    return with_format<F>(each_lane([](T x, T y) { return checked_sum<T>(x, y, "a sum"); }, a.raw, b.raw));
+}
+template <class A, class B, Format F>
+    requires SameElement<A, B>
+ZERKALO_INLINE constexpr auto fitting_difference(Fixed<A, F> a, Fixed<B, F> b) { return fitting_sum(a, -b); }
+
 /// The exact product, rounded once.
 template <class To, class A, Format FA, class B, Format FB>
 ZERKALO_INLINE constexpr To product(Fixed<A, FA> a, Fixed<B, FB> b) {

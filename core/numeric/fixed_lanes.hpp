@@ -171,6 +171,15 @@ ZERKALO_INLINE constexpr To rescaled(std::int64_t x) {
     return saturated<To>(size, x < 0);
 }
 
+/// x / 2^Shift to nearest, ties away from zero, of an x for which it fits.
+template <std::signed_integral To, int Shift>
+ZERKALO_INLINE constexpr To rounded_shift(std::int64_t x) {
+    static_assert(Shift > 0 && Shift < 63);
+    // A half less for a negative x: its ties go down.
+    const std::int64_t half = (std::int64_t{1} << (Shift - 1)) - (x < 0 ? 1 : 0);
+    return checked_narrow<To>(checked_sum<std::int64_t>(x, half, "rounded") >> Shift, "rounded");
+}
+
 /// a b / 2^Shift of the exact 96-bit product, to nearest, ties away from zero, held at the ends of To.
 template <std::signed_integral To, int Shift>
 ZERKALO_INLINE constexpr To rescaled_product(std::int32_t a, std::int64_t b) {

@@ -16,10 +16,16 @@ struct FixedNumbersOf<VectorInts<T, kVectorWidth>> { using type = FixedNumbers<k
 
 /// A mask of vector registers as bits, which becomes one again where it is used.
 struct VectorMaskBits {
-    std::uint8_t bits;
+    using Bits = std::conditional_t<(kVectorWidth > 8), std::uint16_t, std::uint8_t>;
+    Bits bits;
 
     VectorMaskBits() = default;
-    ZERKALO_INLINE VectorMaskBits(VectorMask m) : bits(static_cast<std::uint8_t>(bits_of(m))) {}
+    static ZERKALO_INLINE VectorMask of_bits(std::uint32_t bits) {
+        VectorMaskBits stored;
+        stored.bits = static_cast<Bits>(bits);
+        return stored;
+    }
+    ZERKALO_INLINE VectorMaskBits(VectorMask m) : bits(static_cast<Bits>(bits_of(m))) {}
     ZERKALO_INLINE operator VectorMask() const {
         Words own{};
         for (int k = 0; k < kVectorWidth; ++k) own[k] = 1 << k;
@@ -40,10 +46,31 @@ ZERKALO_INLINE auto registers_of(const A& raw) {
         return all_longs(raw);
     }
 }
+/// Of a word: a uniform factor needs no odd lanes of its own.
+template <class A>
+ZERKALO_INLINE auto factor_of(const A& raw) {
+    if constexpr (IntLaneTraits<A>::kInVectors) {
+        return raw.v;
+    } else {
+        return raw;
+    }
+}
 template <Format F>
 ZERKALO_INLINE auto fixed_of(Words raw) { return with_format<F>(VectorWords(raw)); }
 template <Format F>
 ZERKALO_INLINE auto fixed_of(const Longs& raw) { return with_format<F>(VectorLongs(raw)); }
+
+/// The nearest floats.
+using Floats = Vector<float, kVectorWidth>;
+template <class A, Format F>
+    requires InVectors<A> && SingleWord<A>
+ZERKALO_INLINE Floats floats_of(Fixed<A, F> a) {
+    return __builtin_convertvector(a.raw.v, Floats) * (1.0f / float(std::int64_t{1} << F.fraction));
+}
+template <Format F>
+ZERKALO_INLINE float float_of(Fixed<std::int32_t, F> a) {
+    return float(a.raw) * (1.0f / float(std::int64_t{1} << F.fraction));
+}
 
 template <class A, class B, Format F>
     requires SameElement<A, B> && InVectors<A, B>
@@ -55,6 +82,16 @@ template <class A, class B, Format F>
 ZERKALO_INLINE auto operator-(Fixed<A, F> a, Fixed<B, F> b) {
     return fixed_of<F>(held_difference(registers_of(a.raw), registers_of(b.raw)));
 }
+template <class A, class B, Format F>
+    requires SameElement<A, B> && InVectors<A, B>
+ZERKALO_INLINE auto fitting_sum(Fixed<A, F> a, Fixed<B, F> b) {
+    return fixed_of<F>(fitting_sum(registers_of(a.raw), registers_of(b.raw)));
+}
+template <class A, class B, Format F>
+    requires SameElement<A, B> && InVectors<A, B>
+ZERKALO_INLINE auto fitting_difference(Fixed<A, F> a, Fixed<B, F> b) {
+    return fixed_of<F>(fitting_difference(registers_of(a.raw), registers_of(b.raw)));
+}
 template <class A, Format F>
     requires InVectors<A>
 ZERKALO_INLINE auto operator-(Fixed<A, F> a) {
@@ -63,7 +100,7 @@ ZERKALO_INLINE auto operator-(Fixed<A, F> a) {
 template <class A, Format FA, class B, Format FB>
     requires SingleWord<A> && SingleWord<B> && SameWidth<A, B> && InVectors<A, B>
 ZERKALO_INLINE auto operator*(Fixed<A, FA> a, Fixed<B, FB> b) {
-    return fixed_of<FA + FB>(full_product(registers_of(a.raw), registers_of(b.raw)));
+    return fixed_of<FA + FB>(full_product(factor_of(a.raw), factor_of(b.raw)));
 }
 template <class A, class B, Format F>
     requires SameElement<A, B> && InVectors<A, B>
@@ -106,6 +143,12 @@ ZERKALO_INLINE Fixed<A, F> flip_sign(Fixed<A, F> a, Fixed<A, F> sign) {
     return fixed_of<F>((a.raw.v ^ s) - s);
 }
 
+template <class A, Format F>
+    requires InVectors<A> && SingleWord<A>
+ZERKALO_INLINE Fixed<A, F> absolute(Fixed<A, F> a) {
+    return fixed_of<F>(Words(magnitude_of(a.raw.v)));
+}
+
 template <class To, class A, Format F>
     requires InVectors<A>
 ZERKALO_INLINE To as(Fixed<A, F> value) {
@@ -127,6 +170,12 @@ ZERKALO_INLINE To as(Fixed<A, F> value) {
         return with_format<To::kFormat>(
             each_lane([](std::int64_t x) { return rescaled<T, kShift>(x); }, value.raw));
     }
+}
+
+template <class To, class A, Format F>
+    requires InVectors<A> && SingleWord<typename To::Representation> && (!SingleWord<A>)
+ZERKALO_INLINE To rounded(Fixed<A, F> value) {
+    return fixed_of<To::kFormat>(rounded_words<F.fraction - To::kFraction>(value.raw.v));
 }
 
 /// A word times 64 bits, rounded once.
@@ -175,6 +224,23 @@ ZERKALO_INLINE To quotient(Fixed<A, FA> a, Fixed<B, FB> b) {
         static_assert(kShift == 0);
         return fixed_of<To::kFormat>(rounded_quotient(registers_of(a.raw), registers_of(b.raw)));
     }
+}
+
+/// As 64 bits: of a word by a word, for 33 more bits.
+template <class To, class A, Format FA, class B, Format FB>
+    requires InVectors<B> && SingleWord<A> && SingleWord<B> && (!SingleWord<typename To::Representation>) &&
+             (To::kFraction - FA.fraction + FB.fraction == 33)
+ZERKALO_INLINE To quotient(Fixed<A, FA> a, Fixed<B, FB> b) {
+    return fixed_of<To::kFormat>(long_quotient_longs(registers_of(a.raw), registers_of(b.raw)));
+}
+
+/// Two words by one.
+template <class To, class A, Format FA, class B, Format FB>
+    requires InVectors<B> && SingleWord<A> && SingleWord<B> && SingleWord<typename To::Representation>
+ZERKALO_INLINE QuotientPair<To> quotients(Fixed<A, FA> first, Fixed<A, FA> second, Fixed<B, FB> divisor) {
+    const WordPair pair = rounded_quotients<To::kFraction - FA.fraction + FB.fraction>(
+        factor_of(first.raw), factor_of(second.raw), divisor.raw.v);
+    return {fixed_of<To::kFormat>(pair.first), fixed_of<To::kFormat>(pair.second)};
 }
 
 template <class To, class A, Format F>

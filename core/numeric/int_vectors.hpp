@@ -1,8 +1,8 @@
 // Lanes of integers in the vector registers, by the compilers' own vector types: the moves between 32 and 64 bits, the
 // widening product, and the float unit's division and root. The only file of fixed point that names instructions.
 //
-// W numbers of 32 bits fill a register, of 64 bits one (AVX-512) or two. Two hold the even and the odd lanes: so the
-// widening product of x86 takes and gives them, and a change of width is a shift and a blend.
+// W numbers of 32 bits fill a register, of 64 bits two, the even and the odd lanes: so the widening product of x86 takes
+// and gives them, and a change of width is a shift and a blend.
 #pragma once
 
 #include "core/numeric/fixed_lanes.hpp"
@@ -10,9 +10,6 @@
 #if !defined(ZERKALO_INTEGERS_ONLY) && (defined(__SSE4_2__) || defined(__aarch64__))
 #define ZERKALO_INT_VECTORS
 
-#if defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define ZERKALO_ONE_PART
-#endif
 #if defined(__aarch64__)
 #include <arm_neon.h>
 #else
@@ -28,14 +25,15 @@ struct VectorOf {
 template <class T, int n>
 using Vector = typename VectorOf<T, n>::type;
 
-#if defined(ZERKALO_ONE_PART)
-constexpr int kVectorWidth = 8, kParts = 1;
+#if defined(__AVX512DQ__) && ZERKALO_WIDTH == 16
+#define ZERKALO_512_BITS
+constexpr int kVectorWidth = 16;
 #elif defined(__AVX2__)
-constexpr int kVectorWidth = 8, kParts = 2;
+constexpr int kVectorWidth = 8;
 #else
-constexpr int kVectorWidth = 4, kParts = 2;
+constexpr int kVectorWidth = 4;
 #endif
-constexpr int kPartLanes = kVectorWidth / kParts;
+constexpr int kPartLanes = kVectorWidth / 2;
 
 using Words = Vector<std::int32_t, kVectorWidth>;
 using UnsignedWords = Vector<std::uint32_t, kVectorWidth>;
@@ -43,26 +41,17 @@ using Quads = Vector<std::int64_t, kPartLanes>;
 using UnsignedQuads = Vector<std::uint64_t, kPartLanes>;
 using Doubles = Vector<double, kPartLanes>;
 
-/// The registers of one number of 64 bits a lane: all lanes, or the even ones and the odd ones.
-template <class V, int count>
-struct PartsOf;
+/// The registers of one number of 64 bits a lane: the even lanes and the odd ones.
 template <class V>
-struct PartsOf<V, 1> { V even; };
-template <class V>
-struct PartsOf<V, 2> { V even, odd; };
-using Longs = PartsOf<Quads, kParts>;
-using UnsignedLongs = PartsOf<UnsignedQuads, kParts>;
-using DoubleParts = PartsOf<Doubles, kParts>;
+struct PartsOf { V even, odd; };
+using Longs = PartsOf<Quads>;
+using UnsignedLongs = PartsOf<UnsignedQuads>;
+using DoubleParts = PartsOf<Doubles>;
 
 /// The same function of each register.
 template <class F, class... X>
 ZERKALO_INLINE auto each_part(F f, const X&... x) {
-    using V = decltype(f(x.even...));
-    if constexpr (kParts == 1) {
-        return PartsOf<V, 1>{f(x.even...)};
-    } else {
-        return PartsOf<V, 2>{f(x.even...), f(x.odd...)};
-    }
+    return PartsOf<decltype(f(x.even...))>{f(x.even...), f(x.odd...)};
 }
 
 ZERKALO_INLINE Words all_words(std::int32_t x) { return Words{} + x; }
@@ -89,20 +78,20 @@ ZERKALO_INLINE std::uint32_t signs_of(Words m) {
     const uint32x4_t weights = {1, 2, 4, 8};
     return vaddvq_u32(vandq_u32(uint32x4_t(m < 0), weights));
 }
-#elif defined(ZERKALO_ONE_PART)
+#elif defined(ZERKALO_512_BITS)
 ZERKALO_INLINE Quads low_product(Quads a, Quads b) { return Quads(_mm512_mul_epi32(__m512i(a), __m512i(b))); }
 ZERKALO_INLINE UnsignedQuads low_product(UnsignedQuads a, UnsignedQuads b) {
     return UnsignedQuads(_mm512_mul_epu32(__m512i(a), __m512i(b)));
 }
 ZERKALO_INLINE Doubles square_root(Doubles a) { return Doubles(_mm512_sqrt_pd(__m512d(a))); }
-ZERKALO_INLINE Words larger(Words a, Words b) { return Words(_mm256_max_epi32(__m256i(a), __m256i(b))); }
+ZERKALO_INLINE Words larger(Words a, Words b) { return Words(_mm512_max_epi32(__m512i(a), __m512i(b))); }
 ZERKALO_INLINE Words where_negative(Words m, Words a, Words b) {
-    return Words(_mm256_blendv_ps(__m256(b), __m256(a), __m256(m)));
+    return Words(_mm512_mask_blend_epi32(_mm512_movepi32_mask(__m512i(m)), __m512i(b), __m512i(a)));
 }
 ZERKALO_INLINE Quads where_negative(Quads m, Quads a, Quads b) {
     return Quads(_mm512_mask_blend_epi64(_mm512_movepi64_mask(__m512i(m)), __m512i(b), __m512i(a)));
 }
-ZERKALO_INLINE std::uint32_t signs_of(Words m) { return static_cast<std::uint32_t>(_mm256_movemask_ps(__m256(m))); }
+ZERKALO_INLINE std::uint32_t signs_of(Words m) { return _mm512_movepi32_mask(__m512i(m)); }
 #elif defined(__AVX2__)
 ZERKALO_INLINE Quads low_product(Quads a, Quads b) { return Quads(_mm256_mul_epi32(__m256i(a), __m256i(b))); }
 ZERKALO_INLINE UnsignedQuads low_product(UnsignedQuads a, UnsignedQuads b) {
@@ -135,7 +124,9 @@ ZERKALO_INLINE std::uint32_t signs_of(Words m) { return static_cast<std::uint32_
 
 /// Even lanes of a, odd lanes of b.
 ZERKALO_INLINE Words alternating(Words a, Words b) {
-#if defined(__AVX2__)
+#if defined(ZERKALO_512_BITS)
+    return __builtin_shufflevector(a, b, 0, 17, 2, 19, 4, 21, 6, 23, 8, 25, 10, 27, 12, 29, 14, 31);
+#elif defined(__AVX2__)
     return __builtin_shufflevector(a, b, 0, 9, 2, 11, 4, 13, 6, 15);
 #else
     return __builtin_shufflevector(a, b, 0, 5, 2, 7);
@@ -145,7 +136,7 @@ ZERKALO_INLINE Words alternating(Words a, Words b) {
 /// All bits set where x < 0.
 ZERKALO_INLINE Words sign_of(Words x) { return x >> 31; }
 ZERKALO_INLINE Quads sign_of(Quads x) {
-#if defined(ZERKALO_ONE_PART) || defined(__aarch64__)
+#if defined(__AVX512VL__) || defined(__aarch64__)
     return x >> 63;
 #else
     return Quads(Quads{} > x);
@@ -156,7 +147,7 @@ ZERKALO_INLINE Quads sign_of(Quads x) {
 template <int n>
 ZERKALO_INLINE Quads shifted_right(Quads x) {
     static_assert(n > 0 && n < 64);
-#if defined(ZERKALO_ONE_PART) || defined(__aarch64__)
+#if defined(__AVX512VL__) || defined(__aarch64__)
     return x >> n;
 #else
     return Quads(UnsignedQuads(x) >> n) | Quads(UnsignedQuads(sign_of(x)) << (64 - n));
@@ -165,17 +156,6 @@ ZERKALO_INLINE Quads shifted_right(Quads x) {
 
 // Between lanes of 32 and of 64 bits. widened: with the sign; widened_unsigned: without; low_words, high_words: half of
 // each lane; narrow_mask, wide_mask: all bits of a lane alike; full_product: a b, exactly.
-#if defined(ZERKALO_ONE_PART)
-ZERKALO_INLINE Longs widened(Words x) { return {__builtin_convertvector(x, Quads)}; }
-ZERKALO_INLINE UnsignedLongs widened_unsigned(UnsignedWords x) { return {__builtin_convertvector(x, UnsignedQuads)}; }
-ZERKALO_INLINE Words low_words(const Longs& x) { return __builtin_convertvector(x.even, Words); }
-ZERKALO_INLINE Words high_words(const Longs& x) { return __builtin_convertvector(x.even >> 32, Words); }
-/// Held at the ends.
-ZERKALO_INLINE Words narrowed(const Longs& x) { return Words(_mm512_cvtsepi64_epi32(__m512i(x.even))); }
-ZERKALO_INLINE Words narrow_mask(const Longs& m) { return __builtin_convertvector(m.even, Words); }
-ZERKALO_INLINE Longs wide_mask(Words m) { return {__builtin_convertvector(m, Quads)}; }
-ZERKALO_INLINE Longs full_product(Words a, Words b) { return {low_product(widened(a).even, widened(b).even)}; }
-#else
 ZERKALO_INLINE Longs widened(Words x) {
     const Words sign = sign_of(x);
     return {Quads(alternating(x, Words(UnsignedQuads(sign) << 32))),
@@ -197,12 +177,18 @@ ZERKALO_INLINE Longs wide_mask(Words m) {
 ZERKALO_INLINE Longs full_product(Words a, Words b) {
     return {low_product(Quads(a), Quads(b)), low_product(Quads(UnsignedQuads(a) >> 32), Quads(UnsignedQuads(b) >> 32))};
 }
-#endif
+ZERKALO_INLINE Longs full_product(Words a, std::int32_t b) {
+    const Quads same = Quads(all_words(b));
+    return {low_product(Quads(a), same), low_product(Quads(UnsignedQuads(a) >> 32), same)};
+}
+ZERKALO_INLINE Longs full_product(std::int32_t a, Words b) { return full_product(b, a); }
 
 /// Lanes in their order, into memory and from there.
 ZERKALO_INLINE void store_lanes(std::int64_t* target, const Longs& x) {
-#if defined(ZERKALO_ONE_PART)
-    __builtin_memcpy(target, &x, sizeof x);
+#if defined(ZERKALO_512_BITS)
+    const Longs ordered{__builtin_shufflevector(x.even, x.odd, 0, 8, 1, 9, 2, 10, 3, 11),
+                        __builtin_shufflevector(x.even, x.odd, 4, 12, 5, 13, 6, 14, 7, 15)};
+    __builtin_memcpy(target, &ordered, sizeof ordered);
 #elif defined(__AVX2__)
     const Longs ordered{__builtin_shufflevector(x.even, x.odd, 0, 4, 1, 5),
                         __builtin_shufflevector(x.even, x.odd, 2, 6, 3, 7)};
@@ -215,8 +201,9 @@ ZERKALO_INLINE void store_lanes(std::int64_t* target, const Longs& x) {
 ZERKALO_INLINE Longs load_lanes(const std::int64_t* source) {
     Longs x;
     __builtin_memcpy(&x, source, sizeof x);
-#if defined(ZERKALO_ONE_PART)
-    return x;
+#if defined(ZERKALO_512_BITS)
+    return {__builtin_shufflevector(x.even, x.odd, 0, 2, 4, 6, 8, 10, 12, 14),
+            __builtin_shufflevector(x.even, x.odd, 1, 3, 5, 7, 9, 11, 13, 15)};
 #elif defined(__AVX2__)
     return {__builtin_shufflevector(x.even, x.odd, 0, 2, 4, 6), __builtin_shufflevector(x.even, x.odd, 1, 3, 5, 7)};
 #else
@@ -239,6 +226,14 @@ ZERKALO_INLINE Doubles double_of(Quads x) {
 }
 /// The double x, |x| < 2^51.
 ZERKALO_INLINE Doubles double_of_small(Quads x) { return Doubles(x + 0x4338000000000000) - 0x1.8p52; }
+/// The doubles of words.
+ZERKALO_INLINE DoubleParts doubles_of(Words x) {
+    // x + 2^31 as the low words of doubles near 2^52.
+    const Words above = x ^ Words(all_words(std::numeric_limits<std::int32_t>::min())), near = all_words(0x43300000);
+    const Words odd = Words(UnsignedQuads(above) >> 32);
+    return {Doubles(alternating(above, near)) - (0x1p52 + 0x1p31), Doubles(alternating(odd, near)) - (0x1p52 + 0x1p31)};
+}
+ZERKALO_INLINE DoubleParts doubles_of(std::int32_t x) { return {Doubles{} + double(x), Doubles{} + double(x)}; }
 /// The integer nearest to x, |x| < 2^31, in the low words; what is above them means nothing.
 ZERKALO_INLINE Quads nearest_in_low_words(Doubles x) { return Quads(x + 0x1.8p52); }
 

@@ -141,10 +141,36 @@ ZERKALO_INLINE To as(From value) {
     return To(value);
 }
 
+/// as<To> of a value that is known to fit: in fixed point it is rounded alone, and not held at the ends of the format.
+template <class To, class From>
+ZERKALO_INLINE To rounded(From value) {
+    return as<To>(value);
+}
+
+/// a + b and a - b that are known to fit: in fixed point they are not held at the ends of the format.
+template <class A, class B>
+ZERKALO_INLINE auto fitting_sum(A a, B b) {
+    return a + b;
+}
+template <class A, class B>
+ZERKALO_INLINE auto fitting_difference(A a, B b) {
+    return a - b;
+}
+
 /// a / b in the format To. Division by zero follows IEEE 754 in float.
 template <class To, class A, class B>
 ZERKALO_INLINE To quotient(A a, B b) {
     return To(a) / To(b);
+}
+
+/// Two quotients by one divisor.
+template <class To>
+struct QuotientPair {
+    To first, second;
+};
+template <class To, class A, class B>
+ZERKALO_INLINE QuotientPair<To> quotients(A first, A second, B divisor) {
+    return {quotient<To>(first, divisor), quotient<To>(second, divisor)};
 }
 
 /// a b in the format To, where the product has no format of its own.

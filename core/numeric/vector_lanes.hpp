@@ -44,13 +44,8 @@ struct VectorInts<std::int64_t, W> {
     VectorInts() = default;
     ZERKALO_INLINE explicit VectorInts(const Longs& raw) : v(raw) {}
     ZERKALO_INLINE explicit VectorInts(std::int64_t uniform) : v(all_longs(uniform)) {}
-#if defined(ZERKALO_ONE_PART)
-    ZERKALO_INLINE std::int64_t lane(int k) const { return v.even[k]; }
-    ZERKALO_INLINE void set_lane(int k, std::int64_t x) { v.even[k] = x; }
-#else
     ZERKALO_INLINE std::int64_t lane(int k) const { return k & 1 ? v.odd[k >> 1] : v.even[k >> 1]; }
     ZERKALO_INLINE void set_lane(int k, std::int64_t x) { (k & 1 ? v.odd : v.even)[k >> 1] = x; }
-#endif
 };
 
 /// VectorInts as FixedNumbers asks for them; a width of 1 is the integer itself.
@@ -149,12 +144,16 @@ ZERKALO_INLINE Longs held_difference(const Longs& a, const Longs& b) {
     return each_part([](Quads x, Quads y) ZERKALO_INLINE_LAMBDA { return held_difference(x, y); }, a, b);
 }
 
-/// a + b and a - b of two products of words, which 64 bits hold.
-ZERKALO_INLINE Longs sum_of_products(const Longs& a, const Longs& b) {
-    return each_part([](Quads x, Quads y) ZERKALO_INLINE_LAMBDA { return x + y; }, a, b);
+// a + b and a - b that fit. (What lies in lanes that mean nothing may wrap.)
+ZERKALO_INLINE Words fitting_sum(Words a, Words b) { return Words(UnsignedWords(a) + UnsignedWords(b)); }
+ZERKALO_INLINE Words fitting_difference(Words a, Words b) { return Words(UnsignedWords(a) - UnsignedWords(b)); }
+ZERKALO_INLINE Longs fitting_sum(const Longs& a, const Longs& b) {
+    return each_part(
+        [](Quads x, Quads y) ZERKALO_INLINE_LAMBDA { return Quads(UnsignedQuads(x) + UnsignedQuads(y)); }, a, b);
 }
-ZERKALO_INLINE Longs difference_of_products(const Longs& a, const Longs& b) {
-    return each_part([](Quads x, Quads y) ZERKALO_INLINE_LAMBDA { return x - y; }, a, b);
+ZERKALO_INLINE Longs fitting_difference(const Longs& a, const Longs& b) {
+    return each_part(
+        [](Quads x, Quads y) ZERKALO_INLINE_LAMBDA { return Quads(UnsignedQuads(x) - UnsignedQuads(y)); }, a, b);
 }
 
 /// x / 2^Shift to nearest, ties away from zero.
@@ -172,9 +171,6 @@ template <int Shift>
 ZERKALO_INLINE Words rescaled_words(const Longs& x) {
     static_assert(Shift > 1 && Shift < 62);
     constexpr std::int64_t kHalf = std::int64_t{1} << (Shift - 1);
-#if defined(ZERKALO_ONE_PART)
-    return held(narrowed(rescaled_longs<Shift>(x)));
-#endif
     if constexpr (Shift > 32) {
         // The result fits; what rounding would carry out of 64 bits is held before it.
         const Longs rounded = each_part(
@@ -196,7 +192,24 @@ ZERKALO_INLINE Words rescaled_words(const Longs& x) {
     }
 }
 
-/// The same of words; a negative Shift multiplies.
+/// The same of numbers that fit.
+template <int Shift>
+ZERKALO_INLINE Words rounded_words(const Longs& x) {
+    static_assert(Shift > 1 && Shift < 63);
+    // A half less for a negative number: its ties go down.
+    const Longs sum = each_part(
+        [](Quads y) ZERKALO_INLINE_LAMBDA {
+            return Quads(UnsignedQuads(y) + (std::uint64_t{1} << (Shift - 1)) - (UnsignedQuads(y) >> 63));
+        },
+        x);
+    if constexpr (Shift > 32) {
+        return high_words(sum) >> (Shift - 32);
+    } else {
+        return alternating(Words(UnsignedQuads(sum.even) >> Shift), Words(UnsignedQuads(sum.odd) << (32 - Shift)));
+    }
+}
+
+/// As rescaled_words(); of words, and a negative Shift multiplies.
 template <int Shift>
 ZERKALO_INLINE Words rescaled_words(Words x) {
     static_assert(Shift > -31 && Shift < 31 && Shift != 0 && Shift != 1);

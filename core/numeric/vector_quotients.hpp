@@ -32,39 +32,90 @@ ZERKALO_ONCE Words last_step(const Longs& a, Words b, Words q) {
     return Words(Words(magnitude_of(rest)) > Words(bound)) & (sign_of(rest ^ b) | 1);
 }
 
-/// a / b to nearest, ties away from zero, held at the ends; of a / 0 the end of a's sign, of 0 / 0 the upper one.
-/// `dividend`: the doubles nearest to a; `whole()`: a itself, asked for where these cannot tell.
+/// The integer nearest to a / b, ties away from zero, held at the ends; of a / 0 the end of a's sign, of 0 / 0 the upper
+/// one. `quotient`: a / b, off by 2^-21 at most where it fits; `whole()`: a itself, asked for where that cannot tell.
 template <class Whole>
-ZERKALO_INLINE Words rounded_quotient(const DoubleParts& dividend, Words b, const Whole& whole) {
-    // Dividend and quotient, below 2^31, are each rounded by 2^-22 at most.
+ZERKALO_INLINE Words settled_quotient(const DoubleParts& quotient, Words b, const Whole& whole) {
     constexpr double kMost = double(kMostWord), kNearHalf = 0.5 - 0x1p-20;
-    struct Answer {
-        Quads quotient, close;
-    };
-    const auto answer = each_part(
-        [](Doubles x, Quads y) ZERKALO_INLINE_LAMBDA {
+    const DoubleParts within = each_part(
+        [](Doubles q) ZERKALO_INLINE_LAMBDA {
             // 0 / 0 is no number, and not less than any.
-            const Doubles q = x / double_of_small(y);
             const Doubles below = q < kMost ? q : Doubles{} + kMost;
-            const Doubles within = below > -kMost ? below : Doubles{} - kMost;
-            const Doubles rounded = within + 0x1.8p52, off = within - (rounded - 0x1.8p52);
-            return Answer{Quads(rounded), Quads((off > kNearHalf) | (off < -kNearHalf))};
+            return below > -kMost ? below : Doubles{} - kMost;
         },
-        dividend, widened(b));
-    const Words q = low_words(each_part([](const Answer& x) ZERKALO_INLINE_LAMBDA { return x.quotient; }, answer));
-    const Words close = narrow_mask(each_part([](const Answer& x) ZERKALO_INLINE_LAMBDA { return x.close; }, answer));
-    return signs_of(close) == 0 ? q : q + (last_step(whole(), b, q) & close);
+        quotient);
+    const DoubleParts rounded =
+        each_part([](Doubles q) ZERKALO_INLINE_LAMBDA { return q + 0x1.8p52; }, within);
+    const Longs close = each_part(
+        [](Doubles q, Doubles r) ZERKALO_INLINE_LAMBDA {
+            const Doubles off = q - (r - 0x1.8p52);
+            return Quads(Doubles(Quads(off) & kMostLong) > kNearHalf);
+        },
+        within, rounded);
+    const Words q = alternating(Words(rounded.even), Words(UnsignedQuads(rounded.odd) << 32));
+    if (signs_of(Words(close.even | close.odd)) == 0) return q;
+    return q + (last_step(whole(), b, q) & narrow_mask(close));
 }
 ZERKALO_INLINE Words rounded_quotient(const Longs& a, Words b) {
-    const DoubleParts dividend = each_part([](Quads x) ZERKALO_INLINE_LAMBDA { return double_of(x); }, a);
-    return rounded_quotient(dividend, b, [&a]() ZERKALO_INLINE_LAMBDA { return a; });
+    const DoubleParts quotient = each_part(
+        [](Quads x, Doubles y) ZERKALO_INLINE_LAMBDA { return double_of(x) / y; }, a, doubles_of(b));
+    return settled_quotient(quotient, b, [&a]() ZERKALO_INLINE_LAMBDA { return a; });
 }
 /// a 2^Up / b, 0 <= Up <= 31.
 template <int Up>
 ZERKALO_INLINE Words rounded_quotient(Words a, Words b) {
-    const DoubleParts dividend = each_part(
-        [](Quads x) ZERKALO_INLINE_LAMBDA { return double_of_small(x) * double(std::int64_t{1} << Up); }, widened(a));
-    return rounded_quotient(dividend, b, [a]() ZERKALO_INLINE_LAMBDA { return raised_longs<Up>(a); });
+    const DoubleParts quotient = each_part(
+        [](Doubles x, Doubles y) ZERKALO_INLINE_LAMBDA { return x * double(std::int64_t{1} << Up) / y; }, doubles_of(a),
+        doubles_of(b));
+    return settled_quotient(quotient, b, [a]() ZERKALO_INLINE_LAMBDA { return raised_longs<Up>(a); });
+}
+/// Two of these by one divisor, with one division: a 2^Up / b as a times 2^Up / b is rounded twice.
+struct WordPair {
+    Words first, second;
+};
+template <int Up, class A>
+ZERKALO_INLINE WordPair rounded_quotients(A first, A second, Words b) {
+    const DoubleParts inverse = each_part(
+        [](Doubles y) ZERKALO_INLINE_LAMBDA { return double(std::int64_t{1} << Up) / y; }, doubles_of(b));
+    const auto one = [&](A a) ZERKALO_INLINE_LAMBDA {
+        const DoubleParts quotient = each_part(
+            [](Doubles x, Doubles y) ZERKALO_INLINE_LAMBDA { return x * y; }, doubles_of(a), inverse);
+        return settled_quotient(quotient, b, [a]() ZERKALO_INLINE_LAMBDA { return raised_longs<Up>(Words{} + a); });
+    };
+    return {one(first), one(second)};
+}
+
+/// long_quotient() of a 2^33 / b as 64 bits. Quotients of 2^51 and more lane after lane.
+ZERKALO_INLINE Longs long_quotient_longs(Words a, Words b) {
+    struct Terms {
+        UnsignedQuads dividend, divisor;
+        Doubles quotient;
+    };
+    const auto terms = each_part(
+        [](UnsignedQuads x, UnsignedQuads y) ZERKALO_INLINE_LAMBDA {
+            // A dividend of 31 bits has room for 32 more.
+            const UnsignedQuads drop = x >> 30;
+            const UnsignedQuads dividend = (x << 33) >> drop, divisor = (y + drop) >> drop;
+            return Terms{dividend, divisor, double_of(dividend) / double_of_small(Quads(divisor))};
+        },
+        widened_unsigned(magnitude_of(a)), widened_unsigned(magnitude_of(b)));
+    const Longs large = each_part(
+        [](const Terms& x) ZERKALO_INLINE_LAMBDA { return Quads(!(x.quotient < 0x1p51)); }, terms);
+    if (signs_of(Words(large.even | large.odd)) != 0) {
+        return each_lane([](std::int32_t x, std::int32_t y) { return long_quotient<std::int64_t, 33>(x, y); },
+                         VectorWords(a), VectorWords(b)).v;
+    }
+    const Words sign = sign_of(a ^ b);
+    return each_part(
+        [](const Terms& x, Quads s) ZERKALO_INLINE_LAMBDA {
+            const UnsignedQuads estimate = UnsignedQuads(x.quotient + 0x1.8p52) - 0x4338000000000000u;
+            const UnsignedQuads product =
+                low_product(estimate, x.divisor) + (low_product(estimate >> 32, x.divisor) << 32);
+            const Quads rest = Quads(x.dividend + (x.divisor >> 1) - product);
+            const Quads size = Quads(estimate) + Quads(rest < 0) - Quads(rest >= Quads(x.divisor));
+            return (size ^ s) - s;
+        },
+        terms, wide_mask(sign));
 }
 
 /// The integer nearest to the square root of x; 0 for x < 0. As 64 bits: the root may have 32.
@@ -158,23 +209,29 @@ ZERKALO_ONCE VectorWords long_quotient_words(const VectorLongs& a, const VectorL
 
 /// rescaled_wide_product() to 64 bits of two numbers >= 0.
 template <int Shift>
-ZERKALO_INLINE Longs rescaled_wide_product(const Longs& a, const Longs& b) {
+ZERKALO_INLINE Quads rescaled_wide_product(Quads a, Quads b) {
     static_assert(Shift > 0 && Shift < 64);
+    const UnsignedQuads p = UnsignedQuads(a), q = UnsignedQuads(b);
+    const UnsignedQuads low = low_product(p, q);
+    const UnsignedQuads one = low_product(p >> 32, q) + (low >> 32);
+    UnsignedQuads two = low_product(p, q >> 32) + (one & 0xffffffffu), rest{};
+    if constexpr (Shift > 32) {
+        // The half that rounds is of the second word and upwards; there is room for it.
+        two += std::uint64_t{1} << (Shift - 33);
+        rest = (two & 0xffffffffu) >> (Shift - 32);
+    } else {
+        const UnsignedQuads rounded = (low & 0xffffffffu) + (std::uint64_t{1} << (Shift - 1));
+        two += rounded >> 32;
+        rest = ((two << 32) | (rounded & 0xffffffffu)) >> Shift;
+    }
+    const UnsignedQuads high = low_product(p >> 32, q >> 32) + (one >> 32) + (two >> 32);
+    const Quads whole = Quads((high << (64 - Shift)) | rest);
+    return where_negative(Quads(high >> (Shift - 1) != 0), Quads{} + kMostLong, whole);
+}
+template <int Shift>
+ZERKALO_INLINE Longs rescaled_wide_product(const Longs& a, const Longs& b) {
     return each_part(
-        [](Quads x, Quads y) ZERKALO_INLINE_LAMBDA {
-            const UnsignedQuads p = UnsignedQuads(x), q = UnsignedQuads(y);
-            const UnsignedQuads low = low_product(p, q);
-            const UnsignedQuads one = low_product(p >> 32, q) + (low >> 32);
-            const UnsignedQuads two = low_product(p, q >> 32) + (one & 0xffffffffu);
-            const UnsignedQuads bottom = (two << 32) | (low & 0xffffffffu);
-            UnsignedQuads high = low_product(p >> 32, q >> 32) + (one >> 32) + (two >> 32);
-            const UnsignedQuads rounded = bottom + (std::uint64_t{1} << (Shift - 1));
-            // A carry goes up: the rounded number is then the smaller one.
-            high += UnsignedQuads(rounded < bottom) & 1u;
-            const Quads whole = Quads((high << (64 - Shift)) | (rounded >> Shift));
-            return where_negative(Quads(high >> (Shift - 1) != 0), Quads{} + kMostLong, whole);
-        },
-        a, b);
+        [](Quads x, Quads y) ZERKALO_INLINE_LAMBDA { return rescaled_wide_product<Shift>(x, y); }, a, b);
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

@@ -61,16 +61,14 @@ ZERKALO_ONCE VectorUnit<VectorWords> unit_of_lanes(VectorWords x, VectorWords y,
     const UnsignedLongs size_x = widened_unsigned(a << up), size_y = widened_unsigned(b << up),
                         size_z = widened_unsigned(c << up);
     const LengthParts parts = length_of(size_x, size_y, size_z);
-    const Longs whole = each_part(
-        [](Quads length, UnsignedQuads shift) ZERKALO_INLINE_LAMBDA {
-            const UnsignedQuads half = ((UnsignedQuads{} + 1u) << shift) >> 1;
-            const Quads rounded = Quads((UnsignedQuads(length) + half) >> shift);
-            return rounded > kMostWord ? Quads{} + kMostWord : rounded;
-        },
-        parts.length, widened_unsigned(up));
+    // Down again, to nearest; the highest bit is set only where nothing went up.
+    const UnsignedWords length = UnsignedWords(low_words(parts.length));
+    const Words moved = Words(up != 0);
+    const UnsignedWords rounded = ((length >> ((up + UnsignedWords(moved)) & 31u)) + 1u) >> 1;
+    const Words whole = where_negative(moved, Words(rounded), where_negative(Words(length), all_words(kMostWord), Words(length)));
     return {signed_share(share_of(size_x, parts.inverse), sign_of(x.v), zero),
             signed_share(share_of(size_y, parts.inverse), sign_of(y.v), zero),
-            signed_share(share_of(size_z, parts.inverse), sign_of(z.v), zero), VectorWords(low_words(whole))};
+            signed_share(share_of(size_z, parts.inverse), sign_of(z.v), zero), VectorWords(whole)};
 }
 
 ZERKALO_ONCE VectorUnit<VectorLongs> unit_of_lanes(const VectorLongs& x, const VectorLongs& y, const VectorLongs& z) {

@@ -8,14 +8,14 @@ namespace zerkalo::inline ZERKALO_ISA {
 /// Seed formula 1.2 for a ray that travels along d and meets a surface with unit normal n: d - 2 n (n.d).
 template <class D>
 ZERKALO_INLINE Vec3<D> reflect(Vec3<D> d, Vec3<D> n) {
-    const D cosine = as<D>(dot(d, n));
-    return d - as<D>(n * (cosine + cosine));
+    const D cosine = rounded<D>(dot(d, n));
+    return fitting_difference(d, as<D>(n * (cosine + cosine)));
 }
 
 /// The same for a direction l that points away from the surface (towards the light): 2 n (n.l) - l.
 template <class D, class W>
 ZERKALO_INLINE Vec3<D> mirror_direction(Vec3<D> l, Vec3<D> n, W n_dot_l) {
-    return as<D>(n * (n_dot_l + n_dot_l)) - l;
+    return fitting_difference(as<D>(n * (n_dot_l + n_dot_l)), l);
 }
 
 template <class R>

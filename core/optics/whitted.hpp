@@ -28,8 +28,8 @@ struct ToLight {
 
 template <class F, class L, class D>
 ZERKALO_INLINE ToLight<Numbers<L>> towards(const LightDataOf<F>& light, Vec3<L> p, Vec3<D> n) {
-    const auto way = unit_of(light.position - p);
-    return {way.unit, way.length, as<Weight<L>>(dot(n, way.unit))};
+    const auto way = unit_of(fitting_difference(light.position, p));
+    return {way.unit, way.length, rounded<Weight<L>>(dot(n, way.unit))};
 }
 
 /// 1 / d^2
@@ -42,16 +42,39 @@ ZERKALO_INLINE auto inverse_square(Fixed<A, F> distance) {
     return reciprocal<Inverse<Fixed<A, F>>>(distance * distance);
 }
 
+/// Whether a highlight of exponent n counts in some lane: where x = 1 - R.V is less than 1 and than limit / n. No picture
+/// depends on a yes too many.
+template <class R>
+ZERKALO_INLINE bool may_shine(const ToLight<R>&, const Vec3<Direction<R>>&, const Vec3<Direction<R>>&,
+                              Exponent<Uniform<R>>, Exponent<Uniform<R>>, const Mask<R>&) {
+    return true;
+}
+#if defined(ZERKALO_INT_VECTORS)
+/// Packets in vector registers ask in float: R.V = 2 (N.L)(N.V) - L.V.
+template <class R>
+    requires(IntLaneTraits<Mask<R>>::kInVectors)
+ZERKALO_INLINE bool may_shine(const ToLight<R>& to, const Vec3<Direction<R>>& n, const Vec3<Direction<R>>& v,
+                              Exponent<Uniform<R>> limit, Exponent<Uniform<R>> shininess, const Mask<R>& lit) {
+    // Room for the rounding of unit vectors and their products.
+    constexpr float kRoom = 0x1p-16f;
+    const float own_reach = float(limit.raw) / float(shininess.raw), reach = own_reach < 1 ? own_reach : 1;
+    const Floats x = floats_of(v.x), y = floats_of(v.y), z = floats_of(v.z), n_dot_l = floats_of(to.n_dot_l);
+    const Floats n_dot_v = floats_of(n.x) * x + floats_of(n.y) * y + floats_of(n.z) * z;
+    const Floats l_dot_v = floats_of(to.l.x) * x + floats_of(to.l.y) * y + floats_of(to.l.z) * z;
+    return signs_of(lit.v & Words((n_dot_l + n_dot_l) * n_dot_v - l_dot_v > 1 - kRoom - reach)) != 0;
+}
+#endif
+
 /// What one visible light adds. v: unit, towards the viewer. Lanes outside `lit` are meaningless.
 template <class F, class R>
 ZERKALO_INLINE Rgb<Radiance<R>> light_share(const LightDataOf<F>& light, const ToLight<R>& to, Vec3<Direction<R>> n,
                                             Vec3<Direction<R>> v, const SurfaceDataOf<F>& surface, Mask<R> lit) {
     using W = Weight<R>;
-    Rgb<W> share = as<W>(scaled(spread<W>(surface.diffuse), to.n_dot_l));
+    Rgb<W> share = rounded<W>(scaled(spread<W>(surface.diffuse), to.n_dot_l));
     if (surface.shininess == typename F::Exponent(0)) {
         // Whatever the angle: max(0, R.V)^0 = 1, the constant lobe.
         share = share + spread<W>(surface.specular);
-    } else {
+    } else if (may_shine<R>(to, n, v, light.highlight_limit, surface.shininess, lit)) {
         // (R.V)^n through the chord between R and V: x = |R - V|^2 / 2 = 1 - R.V, so R.V > 0 is x < 1.
         const auto chord = mirror_direction(to.l, n, to.n_dot_l) - v;
         const auto x = half_of(dot(chord, chord));
@@ -62,7 +85,7 @@ ZERKALO_INLINE Rgb<Radiance<R>> light_share(const LightDataOf<F>& light, const T
             // Lane by lane: the other lanes get a cheap answer.
             if constexpr (Formats<R>::kFixed) asked = select(bright, x, decltype(half_of(dot(v, v)))(1));
             const W highlight = select(bright, as<W>(power_of_one_minus(asked, Exponent<R>(surface.shininess))), W(0));
-            share = share + as<W>(scaled(spread<W>(surface.specular), highlight));
+            share = share + rounded<W>(scaled(spread<W>(surface.specular), highlight));
         }
     }
     const auto arriving = as<Radiance<R>>(spread<Radiance<R>>(light.power) * share);

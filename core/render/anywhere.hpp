@@ -176,8 +176,8 @@ ZERKALO_INLINE Mask<R> hidden_by_walls(const Span<System<R>>& span, Length<R> di
 
 /// As hide_by_solid(), for a spot on any side of any surface.
 template <class R>
-ZERKALO_INLINE void hide_anywhere(Mask<R>& visible, const PlanFor<R>& plan, const LightPlanFor<R>& light, int k,
-                                  const ToLight<R>& to, Vec3<Length<R>> p, const Departure<R>& spot) {
+ZERKALO_ONCE void hide_anywhere(Mask<R>& visible, const PlanFor<R>& plan, const LightPlanFor<R>& light, int k,
+                                const ToLight<R>& to, const Vec3<Length<R>>& p, const Departure<R>& spot) {
     const SolidPlanFor<R>& solid = plan.solids[k];
     const auto own = spot.id == Index<R>(solid.id);
     if (solid.shape == ShapeKind::mesh) {
@@ -210,8 +210,8 @@ ZERKALO_INLINE bool passed_by(const PlanFor<R>& plan, const LightPlanFor<R>& lig
     } else {
         if (plan.exact_plan) return false;
         const SolidPlanFor<R>& solid = plan.solids[k];
-        return light.data.distant ? none(may_meet<R>(solid, p, to.l, visible))
-                                  : none(may_meet<R>(solid, light.data.position, to.l, visible));
+        if (light.data.distant) return none(may_meet<R>(solid, p, to.l, visible));
+        return !any_may_meet<R>(solid, light.data.position, to.l, visible);
     }
 }
 

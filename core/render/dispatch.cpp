@@ -12,32 +12,33 @@ struct IsaRow {
     const KernelTable* table;
     int fixed_lanes;
     const FixedTileFunction* fixed;  // null where the kernel of one lane serves
+    const FixedTileFunction* fixed_general;
 };
 
 #if defined(__x86_64__) && !defined(ZERKALO_SCALAR_ONLY)
 constexpr IsaRow kRows[kIsaCount] = {
-    {"scalar", 1, &kKernels_scalar, 1, &kFixedKernel_scalar},
-    {"sse2", 4, &kKernels_sse2, 1, nullptr},
-    {"sse4.2", 4, &kKernels_sse4_2, 4, &kFixedKernel_sse4_2},
-    {"avx2", 8, &kKernels_avx2, 8, &kFixedKernel_avx2},
-    {"avx512", 16, &kKernels_avx512, 8, &kFixedKernel_avx512},
-    {"neon", 4, nullptr, 1, nullptr}};
+    {"scalar", 1, &kKernels_scalar, 1, &kFixedKernel_scalar, &kFixedKernel_scalar},
+    {"sse2", 4, &kKernels_sse2, 1, nullptr, nullptr},
+    {"sse4.2", 4, &kKernels_sse4_2, 4, &kFixedKernel_sse4_2, &kFixedKernel_sse4_2},
+    {"avx2", 8, &kKernels_avx2, 8, &kFixedKernel_avx2, &kFixedKernel_avx2},
+    {"avx512", 16, &kKernels_avx512, 16, &kFixedKernel_avx512, &kFixedKernel_avx512_general},
+    {"neon", 4, nullptr, 1, nullptr, nullptr}};
 #elif defined(__aarch64__) && !defined(ZERKALO_SCALAR_ONLY)
 constexpr IsaRow kRows[kIsaCount] = {
-    {"scalar", 1, &kKernels_scalar, 1, &kFixedKernel_scalar},
-    {"sse2", 4, nullptr, 1, nullptr},
-    {"sse4.2", 4, nullptr, 1, nullptr},
-    {"avx2", 8, nullptr, 1, nullptr},
-    {"avx512", 16, nullptr, 1, nullptr},
-    {"neon", 4, &kKernels_neon, 4, &kFixedKernel_neon}};
+    {"scalar", 1, &kKernels_scalar, 1, &kFixedKernel_scalar, &kFixedKernel_scalar},
+    {"sse2", 4, nullptr, 1, nullptr, nullptr},
+    {"sse4.2", 4, nullptr, 1, nullptr, nullptr},
+    {"avx2", 8, nullptr, 1, nullptr, nullptr},
+    {"avx512", 16, nullptr, 1, nullptr, nullptr},
+    {"neon", 4, &kKernels_neon, 4, &kFixedKernel_neon, &kFixedKernel_neon}};
 #else
 constexpr IsaRow kRows[kIsaCount] = {
-    {"scalar", 1, &kKernels_scalar, 1, &kFixedKernel_scalar},
-    {"sse2", 4, nullptr, 1, nullptr},
-    {"sse4.2", 4, nullptr, 1, nullptr},
-    {"avx2", 8, nullptr, 1, nullptr},
-    {"avx512", 16, nullptr, 1, nullptr},
-    {"neon", 4, nullptr, 1, nullptr}};
+    {"scalar", 1, &kKernels_scalar, 1, &kFixedKernel_scalar, &kFixedKernel_scalar},
+    {"sse2", 4, nullptr, 1, nullptr, nullptr},
+    {"sse4.2", 4, nullptr, 1, nullptr, nullptr},
+    {"avx2", 8, nullptr, 1, nullptr, nullptr},
+    {"avx512", 16, nullptr, 1, nullptr, nullptr},
+    {"neon", 4, nullptr, 1, nullptr, nullptr}};
 #endif
 
 const IsaRow& row_of(Isa isa) { return kRows[static_cast<int>(isa)]; }
@@ -114,7 +115,10 @@ SpreadFunction spread_kernel_for(const Plan& plan, Isa isa) {
     return row_of(isa).table->spread_kernels[kind_of(plan)];
 }
 
-FixedTileFunction kernel_for(const FixedPlan&, Isa isa) { return *row_of(fixed_isa_of(isa)).fixed; }
+FixedTileFunction kernel_for(const FixedPlan& plan, Isa isa) {
+    const IsaRow& row = row_of(fixed_isa_of(isa));
+    return plan.features & kNeedsGeneral ? *row.fixed_general : *row.fixed;
+}
 
 int tile_count(const PlanHead& plan) { return tiles_across(plan) * tiles_down(plan); }
 

@@ -5,8 +5,7 @@
 // once for all: with rays in the lanes. What an intersection owes to the origin alone is computed here too.
 #pragma once
 
-#include "core/render/class_rays.hpp"
-#include "core/render/fixed_tile.hpp"
+#include "core/render/fixed_widened.hpp"
 #include "core/render/trace.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
@@ -18,31 +17,6 @@ constexpr std::int32_t count_of_rays(RayMask rays) {
     return static_cast<std::int32_t>(((rays + (rays >> 4)) & 0x0f0f0f0fu) * 0x01010101u >> 24);
 }
 constexpr RayMask first_rays(std::int32_t count) { return count < kRayChunk ? (RayMask{1} << count) - 1 : ~RayMask{0}; }
-
-template <class L>
-ZERKALO_INLINE void store_raw(typename L::Element* target, const L& x) {
-    using Rep = typename L::Representation;
-    if constexpr (!IntLaneTraits<Rep>::kInVectors) {
-        for (int k = 0; k < kLanesOf<Rep>; ++k) target[k] = lane_of(x.raw, k);
-    } else if constexpr (std::same_as<typename L::Element, std::int32_t>) {
-        __builtin_memcpy(target, &x.raw.v, sizeof x.raw.v);
-    } else {
-        store_lanes(target, x.raw.v);
-    }
-}
-template <class L>
-ZERKALO_INLINE L load_raw(const typename L::Element* source) {
-    using Rep = typename L::Representation;
-    L x{};
-    if constexpr (!IntLaneTraits<Rep>::kInVectors) {
-        for (int k = 0; k < kLanesOf<Rep>; ++k) set_lane(x.raw, k, source[k]);
-    } else if constexpr (std::same_as<typename L::Element, std::int32_t>) {
-        __builtin_memcpy(&x.raw.v, source, sizeof x.raw.v);
-    } else {
-        x.raw.v = load_lanes(source);
-    }
-    return x;
-}
 
 constexpr int kMostAimed = 8;
 constexpr int kHoistedSlabs = 16;
@@ -85,21 +59,12 @@ ZERKALO_INLINE RayMask rays_near_ball(const RayChunk& chunk, std::int32_t count,
 }
 
 /// The largest lane.
-template <class R>
-ZERKALO_INLINE Area<Uniform<R>> largest_lane_of(const Area<R>& x) {
+template <class A, Format F>
+ZERKALO_INLINE auto largest_lane_of(const Fixed<A, F>& x) {
     auto most = lane_of(x.raw, 0);
-    for (int k = 1; k < kWidth<R>; ++k) most = lane_of(x.raw, k) > most ? lane_of(x.raw, k) : most;
-    return with_format<Area<R>::kFormat>(most);
+    for (int k = 1; k < kLanesOf<A>; ++k) most = lane_of(x.raw, k) > most ? lane_of(x.raw, k) : most;
+    return with_format<F>(most);
 }
-
-/// The first pixel's point and frame, and how far the other frames turn away from it (Frobenius norm).
-template <class R>
-struct LobePilot {
-    using One = Uniform<R>;
-    Vec3<Length<One>> o;
-    Vec3<Direction<One>> m, t, b;
-    Length<One> turning;
-};
 
 constexpr int kFewSteps = 1 << 4;    // of a length: room for the rounding of a few terms
 constexpr int kFewRays = 3;
@@ -122,45 +87,8 @@ ZERKALO_INLINE LobePilot<R> pilot_of(Vec3<Length<R>> o, Vec3<Direction<R>> m, co
         return dot(off, off);
     };
     const Area<R> sum = away(m, pilot.m) + away(base.t, pilot.t) + away(base.b, pilot.b);
-    pilot.turning = root<Length<Uniform<R>>>(largest_lane_of<R>(sum)) + Length<Uniform<R>>::from_raw(kFewSteps);
+    pilot.turning = root<Length<Uniform<R>>>(largest_lane_of(sum)) + Length<Uniform<R>>::from_raw(kFewSteps);
     return pilot;
-}
-
-/// Rays among `near` that pass the solid widened by delta on all sides, from the pilot. The solid is no ball.
-template <class R>
-ZERKALO_INLINE RayMask rays_through(const PlanFor<R>& plan, const SolidPlanFor<R>& solid, const RayChunk& chunk,
-                                    RayMask near, const LobePilot<R>& pilot, Length<Uniform<R>> delta) {
-    using N = System<R>;
-    using D = Direction<R>;
-    auto tube = solid.tube;
-    if (solid.shape == ShapeKind::tube) {
-        const auto wider = quotient<Length<Uniform<R>>>(delta, tube.normal_scale);
-        tube.mid_radius = tube.mid_radius + wider;
-        tube.half_height = tube.half_height + delta;
-        // At its larger end the radius grows by at most twice as much.
-        const auto reach = root<Length<Uniform<R>>>(tube.reach2) + (wider + wider + delta);
-        tube.reach2 = reach * reach;
-    }
-    RayMask through = 0;
-    for (std::int32_t i = 0; i < kRayChunk && near >> i != 0; i += kWidth<R>) {
-        if ((near >> i & ((RayMask{1} << (kWidth<R> - 1) << 1) - 1)) == 0) continue;
-        const D side = load_raw<D>(chunk.side + i), up = load_raw<D>(chunk.up + i);
-        const D forward = load_raw<D>(chunk.forward + i);
-        const Vec3<D> d = as<D>(spread<D>(pilot.m) * forward + spread<D>(pilot.t) * side + spread<D>(pilot.b) * up);
-        Span<N> span = whole_span<N>();
-        if (solid.shape == ShapeKind::tube) {
-            span = tube_span<true, Faces::none, N>(tube, tube_seen_from<Uniform<R>>(tube, pilot.o), d);
-        } else {
-            const auto* slabs = plan.slabs + solid.half_spaces.first_slab;
-            const auto o = pilot.o - solid.half_spaces.centre;
-            for (std::int32_t s = 0; s < solid.half_spaces.slab_count; ++s) {
-                const auto from = slab_seen_from<Uniform<R>>(slabs[s], o);
-                clip<Faces::none>(span, slabs[s], SlabOrigin<Uniform<R>>{from.lo - delta, from.hi + delta}, d);
-            }
-        }
-        through |= RayMask{bits_of((span.entry <= span.exit) & (span.exit >= Length<R>(0)))} << i;
-    }
-    return near & through;
 }
 
 /// Rays of the chunk that may meet the solid from some pixel. Conservative.
@@ -174,7 +102,7 @@ ZERKALO_INLINE RayMask rays_to_solid(const PlanFor<R>& plan, const SolidPlanFor<
     const Vec3<L> centre{as<L>(dot(f, base.t)), as<L>(dot(f, base.b)), as<L>(dot(f, m))};
     const Vec3<One> c = first_lane_of(centre);
     const Vec3<L> off = centre - spread<L>(c);
-    const One stray = root<One>(largest_lane_of<R>(dot(off, off))) + One::from_raw(kFewSteps);
+    const One stray = root<One>(largest_lane_of(dot(off, off))) + One::from_raw(kFewSteps);
     if (stray > One(1)) return first_rays(count);
     const One reach = solid.bound_radius + stray;
     const RayMask near = rays_near_ball<R>(chunk, count, c, dot(c, c) - (reach * reach + kSquareRoom<R>));

@@ -1,9 +1,9 @@
 // The fixed-point kernel for scenes whose rays bounce at most once (the scenes of one_bounce.hpp). The same light as
 // the general kernel's, to the last bit: its sums are exact, so they may be added in any order.
 //
-//     camera rays -> local light; the mirror's pixels wait -> sorted by lattice class -> their lobes
+//     camera rays -> local light; the mirror's pixels wait -> those whose lobe meets nothing leave -> their lobes
 //
-// The lobes of one class share the directions of their rays, in the lobe's own frame: which of them may meet a solid is
+// Lobes that no solid is near see the background alone. The lobes of one class share the directions of their rays, in the lobe's own frame: which of them may meet a solid is
 // asked once for a packet, with rays in the lanes.
 #pragma once
 
@@ -20,15 +20,12 @@ ZERKALO_INLINE void reflect_once(const PlanFor<R>& plan, const MirrorSpot<R>& at
     const MirrorPlanFor<R>& mirror = plan.mirrors[0];
     const Vec3<Direction<R>> m = reflect(d, at.n);
     if (mirror.lobe.glossy) {
-        CandidateMask candidates;
-        const Mask<R> sending = lanes_with_rays<R>(plan, mirror.lobe, at.p, m, full_throughput<R>(plan), at.front,
-                                                   candidates, sum);
-        if (any(sending)) enqueue<R>(waiting, sending, at.p, m, candidates, first);
+        enqueue<R>(waiting, at.front, at.p, m, first);
         return;
     }
     counts.reflected += count_of(at.front);
     const CandidateMask solids = first_bits(plan.solid_count);
-    const Nearest<R> near = nearest_from<R>(plan, solids, PointOrigin<Length<R>>{at.p}, at.p, m, at.front);
+    const Nearest<R> near = nearest_from_mirror<R>(plan, solids, at.p, m, at.front);
     add_nearest<R>(plan, solids, near, at.p, m, at.front, spread<W>(mirror.reflectance), sum, counts);
 }
 
@@ -65,7 +62,6 @@ ZERKALO_ONCE void trace_camera_rays(const PlanFor<R>& plan, const TileView& view
     TileColumns<R> columns;
     fill_columns(columns, plan, tile, at);
     waiting.pixels = 0;
-    waiting.candidates = 0;
     for (int first = 0; first < tile.height * kTileSide; first += kWidth<R>) {
         const auto active = lanes_of<R>(tile, first);
         if (none(active)) continue;
@@ -87,6 +83,7 @@ ZERKALO_ONCE void render_tile_one_bounce_fixed(const PlanFor<R>& plan, const Til
     TileCounts tile_counts;
     for (std::int32_t a = 0; a < plan.antialias; ++a) {
         trace_camera_rays<R>(plan, view, tile, a, sums, waiting, tile_counts);
+        if (waiting.pixels != 0) cull_lobes<R>(plan, waiting, sums);
         if (waiting.pixels != 0) {
             trace_lobes<R>(plan, waiting, tile_hash(plan, tile), static_cast<std::uint32_t>(a), sums, tile_counts);
         }
@@ -101,11 +98,16 @@ ZERKALO_ONCE void render_tile_one_bounce_fixed(const PlanFor<R>& plan, const Til
     counts.shadow += tile_counts.shadow;
 }
 
-/// Renders one tile of any scene, by the smaller kernel that can.
-template <class R>
+/// Renders one tile of any scene, by the smaller kernel that can. `general_alone`: none but scenes that need the general
+/// kernel; more than eight lanes: none of these.
+template <class R, bool general_alone>
 ZERKALO_INLINE void render_tile_fixed(const PlanFor<R>& plan, const Tile& tile, const LinearImage& image,
                                       RayCounts& counts) {
-    if (plan.features & kNeedsGeneral) {
+    if constexpr (general_alone) {
+        render_tile_general<R>(plan, tile, image, counts);
+    } else if constexpr (kWidth<R> > 8) {
+        render_tile_one_bounce_fixed<R>(plan, tile, image, counts);
+    } else if (plan.features & kNeedsGeneral) {
         render_tile_general<R>(plan, tile, image, counts);
     } else {
         render_tile_one_bounce_fixed<R>(plan, tile, image, counts);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/render/fixed_aim.hpp"
+#include "core/render/packet.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
 
@@ -59,18 +60,10 @@ ZERKALO_INLINE void scatter_sum(LightSums& sums, const PacketPixels& pixels, Mas
 
 template <class R>
 ZERKALO_INLINE void enqueue(WaitingLobes& waiting, Mask<R> mask, const Vec3<Length<R>>& o, const Vec3<Direction<R>>& m,
-                            CandidateMask candidates, int first) {
+                            int first) {
     store_raw(waiting.o[0] + first, o.x), store_raw(waiting.o[1] + first, o.y), store_raw(waiting.o[2] + first, o.z);
     store_raw(waiting.m[0] + first, m.x), store_raw(waiting.m[1] + first, m.y), store_raw(waiting.m[2] + first, m.z);
     waiting.pixels |= std::uint64_t{bits_of(mask)} << first;
-    waiting.candidates |= candidates;
-}
-
-/// What a ray of a lobe with the largest share carries.
-template <class R>
-ZERKALO_INLINE Rgb<Weight<R>> full_throughput(const PlanFor<R>& plan) {
-    const auto weight = full_weight<R>(plan.sampling.estimator, plan.samples);
-    return as<Weight<R>>(scaled(spread<Weight<R>>(plan.mirrors[0].reflectance), weight));
 }
 
 /// The background, for rays of the chunk that begins with ray `first`.
@@ -84,6 +77,81 @@ ZERKALO_INLINE void add_missed_of(const PlanFor<R>& plan, Mask<R> mask, Rgb<Weig
         const Rgb<Weight<R>> throughput = throughput_of_ray<R>(plan, full, first + first_of(at_rim));
         add<R>(sum, mask, throughput, spread<Radiance<R>>(plan.background));
     }
+}
+
+template <class R>
+struct WaitingPacket {
+    Vec3<Length<R>> o;
+    Vec3<Direction<R>> m;
+    Mask<R> active;
+};
+template <class R>
+ZERKALO_INLINE WaitingPacket<R> load_waiting(const WaitingLobes& waiting, int first) {
+    using L = Length<R>;
+    using D = Direction<R>;
+    return {{load_raw<L>(waiting.o[0] + first), load_raw<L>(waiting.o[1] + first), load_raw<L>(waiting.o[2] + first)},
+            {load_raw<D>(waiting.m[0] + first), load_raw<D>(waiting.m[1] + first), load_raw<D>(waiting.m[2] + first)},
+            lanes_of_bits<R>(waiting.pixels >> first)};
+}
+
+/// The largest component: at least the distance over the root of 3.
+template <class L>
+ZERKALO_INLINE L largest_of(const Vec3<L>& v) {
+    return max(max(absolute(v.x), absolute(v.y)), absolute(v.z));
+}
+
+/// Solids that some waiting pixel's lobe may be near, by the lobe of the first one: the others' points and directions
+/// stray from it.
+template <class R>
+ZERKALO_INLINE CandidateMask solids_near_lobes(const PlanFor<R>& plan, const WaitingLobes& waiting) {
+    using One = Uniform<R>;
+    using L = Length<R>;
+    using D = Direction<R>;
+    const int pilot = first_of(waiting.pixels);
+    const WaitingPacket<One> at = load_waiting<One>(waiting, pilot);
+    L stray(0);
+    D turn(0);
+    for (int first = 0; first < kTilePixels; first += kWidth<R>) {
+        const WaitingPacket<R> packet = load_waiting<R>(waiting, first);
+        if (none(packet.active)) continue;
+        const L off = largest_of(fitting_difference(packet.o, spread<L>(at.o)));
+        stray = max(stray, select(packet.active, off, L(0)));
+        turn = max(turn, select(packet.active, largest_of(packet.m - spread<D>(at.m)), D(0)));
+    }
+    // More than the root of the packets' own room.
+    constexpr auto kRoom = Length<One>::from_raw(1 << 18);
+    const auto most_off = largest_lane_of(stray), most_angle = as<Length<One>>(largest_lane_of(turn));
+    const auto most_stray = most_off + most_off + kRoom, most_turn = most_angle + most_angle;
+    CandidateMask near = 0;
+    for (std::int32_t k = 0; k < plan.solid_count; ++k) {
+        const auto way = plan.solids[k].bound_centre - at.o;
+        const auto far = root<Length<One>>(dot_of_ways(way, way)) + kRoom;
+        const auto around = most_stray + as<Length<One>>(far * most_turn);
+        if (cone_may_meet<One>(plan.solids[k], plan.mirrors[0].lobe, at.o, at.m, around)) near |= CandidateMask{1} << k;
+    }
+    return near;
+}
+
+/// Takes away the pixels whose lobes meet nothing, with their light; finds what the others can meet.
+template <class R>
+ZERKALO_ONCE void cull_lobes(const PlanFor<R>& plan, WaitingLobes& waiting, LightSums& sums) {
+    const LobeFor<R>& lobe = plan.mirrors[0].lobe;
+    const bool narrow = !plan.exact_plan && lobe.cone.narrow;
+    const CandidateMask solids = narrow ? solids_near_lobes<R>(plan, waiting) : solids_in(all_of(plan));
+    std::uint64_t sending = 0;
+    waiting.candidates = 0;
+    for (int first = 0; first < kTilePixels; first += kWidth<R>) {
+        const WaitingPacket<R> packet = load_waiting<R>(waiting, first);
+        if (none(packet.active)) continue;
+        Rgb<LightSum<R>> sum = load_sum<R>(sums, first);
+        CandidateMask candidates;
+        const Mask<R> with_rays = lanes_with_rays<R>(plan, lobe, packet.o, packet.m, full_throughput<R>(plan),
+                                                     packet.active, solids, candidates, sum);
+        store_sum<R>(sums, first, sum);
+        sending |= std::uint64_t{bits_of(with_rays)} << first;
+        waiting.candidates |= candidates;
+    }
+    waiting.pixels = sending;
 }
 
 /// The nearest solid along d, for origins outside of every solid. `o`: the origins, or the one of all lanes.
@@ -100,6 +168,13 @@ ZERKALO_INLINE Nearest<R> nearest_from(const PlanFor<R>& plan, CandidateMask can
         });
     }
     return best;
+}
+
+/// The same from points of the mirror, where nothing better is known. Called, not inlined: seldom, and it takes registers.
+template <class R>
+ZERKALO_ONCE Nearest<R> nearest_from_mirror(const PlanFor<R>& plan, CandidateMask candidates, const Vec3<Length<R>>& o,
+                                            const Vec3<Direction<R>>& d, const Mask<R>& active) {
+    return nearest_from<R>(plan, candidates, PointOrigin<Length<R>>{o}, o, d, active);
 }
 
 /// Adds the light of the nearest solids along d, times the throughput, and the background where there is none.
@@ -161,7 +236,7 @@ ZERKALO_INLINE void shoot_rays(const PlanFor<R>& plan, const RayChunk& rays, std
             near = nearest_aimed<R>(plan, aim, i, ray.d, above, asked);
         } else {
             asked = lobes.candidates;
-            near = nearest_from<R>(plan, asked, PointOrigin<Length<R>>{lobes.o}, lobes.o, ray.d, above);
+            near = nearest_from_mirror<R>(plan, asked, lobes.o, ray.d, above);
         }
         add_nearest<R>(plan, asked, near, lobes.o, ray.d, above, throughput, sum, counts);
     }

@@ -38,7 +38,14 @@ ZERKALO_INLINE void put(FixedColours& colours, int first, Rgb<Fixed<A, F>> c, bo
 template <class A, Format F>
     requires InVectors<A>
 ZERKALO_INLINE void put_channel(std::int64_t* pixels, Fixed<A, F> c, bool add) {
-    const Longs one = as<Fixed<A, PixelSum::kFormat>>(c).raw.v;
+    // Light is never negative.
+    constexpr int kShift = F.fraction - PixelSum::kFraction;
+    static_assert(kShift > 0);
+    const Longs one = each_part(
+        [](Quads x) ZERKALO_INLINE_LAMBDA {
+            return Quads((UnsignedQuads(x) + (std::uint64_t{1} << (kShift - 1))) >> kShift);
+        },
+        c.raw.v);
     store_lanes(pixels, add ? held_sum(one, load_lanes(pixels)) : one);
 }
 

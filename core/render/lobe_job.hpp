@@ -58,10 +58,10 @@ ZERKALO_INLINE LobeRay<R> lobe_ray(const LobePoint<R>& point, Vec3<Direction<R>>
     using D = Direction<R>;
     using W = Weight<R>;
     const Vec3<D> in_frame{point.forward, point.side, point.up};
-    const Vec3<D> d{as<D>(dot(Vec3<D>{m.x, base.t.x, base.b.x}, in_frame)),
-                    as<D>(dot(Vec3<D>{m.y, base.t.y, base.b.y}, in_frame)),
-                    as<D>(dot(Vec3<D>{m.z, base.t.z, base.b.z}, in_frame))};
-    const W cosine = as<W>(dot(d, n));
+    const Vec3<D> d{rounded<D>(dot(Vec3<D>{m.x, base.t.x, base.b.x}, in_frame)),
+                    rounded<D>(dot(Vec3<D>{m.y, base.t.y, base.b.y}, in_frame)),
+                    rounded<D>(dot(Vec3<D>{m.z, base.t.z, base.b.z}, in_frame))};
+    const W cosine = rounded<W>(dot(d, n));
     W weight = W(1);
     if (any(max_phong)) weight = select(max_phong, lobe_weight_of(cosine, as<W>(dot(m, n))), W(1));
     return {d, weight, Mask<R>(cosine > W(0))};
@@ -180,41 +180,42 @@ ZERKALO_INLINE LobePoint<R> point_of_job(const PlanFor<R>& plan, LobeRows<R>& ro
 }
 
 /// Lanes whose lobe, the cone about m that holds all its rays, can come near the solid's bounding ball: the ball's
-/// signed distance to the cone's side is  across cos - along sin. Compared squared and divided by the cosine.
+/// signed distance to the cone's side is  across cos - along sin. Compared squared and divided by the cosine. `stray`:
+/// by how much along and across may be wrong.
 template <class R>
 ZERKALO_INLINE Mask<R> cone_may_meet(const SolidPlanFor<R>& solid, const LobeFor<R>& lobe, Vec3<Length<R>> p,
-                                     Vec3<Direction<R>> m) {
+                                     Vec3<Direction<R>> m, Length<R> stray) {
     using L = Length<R>;
     using One = Uniform<R>;
     // Room for the rounding of a few products of lengths up to 15.
     constexpr auto kRoom = Length<One>::from_raw(1 << 8);
-    const Vec3<L> f = solid.bound_centre - p;
-    const L along = as<L>(dot(f, m));
+    const Vec3<L> f = fitting_difference(solid.bound_centre, p);
+    const L along = rounded<L>(dot(f, m));
     const auto radius = as<Length<One>>(solid.bound_radius * lobe.cone.secant) + kRoom;
-    const L reach = as<L>(along * lobe.cone.tangent) + L(radius);
-    const Mask<R> ahead = reach >= L(0), near = dot(f, f) - along * along <= reach * reach + Area<R>(kSquareRoom<R>);
+    const L reach = as<L>((along + stray) * lobe.cone.tangent) + L(radius) + stray;
+    const Mask<R> ahead = reach >= L(0), near = fitting_difference(dot_of_ways(f, f), along * along) <= fitting_sum(reach * reach, kSquareRoom<R>);
     return ahead & near;
 }
 
-/// Which lanes of `front` must send their lobe's rays, and what these can meet; the others see the background alone,
-/// which is added to the sum. `throughput`: of a ray with the largest share.
+/// Which lanes of `front` must send their lobe's rays, and what these can meet: of the solids, only some of `solids`; the
+/// others see the background alone, which is added to the sum. `throughput`: of a ray with the largest share.
 template <class R>
 ZERKALO_INLINE Mask<R> lanes_with_rays(const PlanFor<R>& plan, const LobeFor<R>& lobe, Vec3<Length<R>> p,
                                        Vec3<Direction<R>> m, Rgb<Weight<R>> throughput, Mask<R> front,
-                                       CandidateMask& candidates, Rgb<LightSum<R>>& sum) {
+                                       CandidateMask solids, CandidateMask& candidates, Rgb<LightSum<R>>& sum) {
     candidates = all_of(plan);
     if constexpr (!Formats<R>::kFixed) {
         return front;
     } else {
         if (plan.exact_plan || !lobe.cone.narrow) return front;
-        const CandidateMask solids = solids_in(candidates);
         // The only mirror, if it is plane, meets none of its own rays.
         const bool alone = plan.mirror_count == 1 && !plan.mirrors[0].curved;
-        candidates = alone ? 0 : candidates - solids;
+        candidates = alone ? 0 : candidates - solids_in(candidates);
+        using L = Length<R>;
         auto reached = mask_of<R>(false);
         for (CandidateMask left = solids; left != 0; left &= left - 1) {
             const int k = first_of(left);
-            const auto here = front & cone_may_meet<R>(plan.solids[k], lobe, p, m);
+            const auto here = front & cone_may_meet<R>(plan.solids[k], lobe, p, m, L(0));
             if (none(here)) continue;
             candidates |= CandidateMask{1} << k;
             reached = reached | here;

@@ -132,11 +132,34 @@ template <class R, class A>
     requires(Formats<R>::kFixed)
 ZERKALO_INLINE Mask<R> may_meet(const SolidPlanFor<R>& solid, Vec3<Fixed<A, Length<R>::kFormat>> o,
                                 Vec3<Direction<R>> d, Mask<R> active) {
-    const auto f = o - solid.bound_centre;
-    const auto along = as<Length<R>>(dot(f, d));
-    const auto beyond = dot(f, f) - (solid.bound_radius * solid.bound_radius + kSquareRoom<R>);
+    const auto f = fitting_difference(o, solid.bound_centre);
+    const auto along = rounded<Length<R>>(dot(f, d));
+    const auto beyond =
+        fitting_difference(dot_of_ways(f, f), fitting_sum(solid.bound_radius * solid.bound_radius, kSquareRoom<R>));
     return active & (along * along >= beyond);
 }
+
+/// Whether some ray of the packet may, of rays from one origin. No picture depends on a yes too many: packets in vector
+/// registers ask in float.
+template <class R>
+ZERKALO_INLINE bool any_may_meet(const SolidPlanFor<R>& solid, Vec3<Length<Uniform<R>>> o,
+                                 const Vec3<Direction<R>>& d, const Mask<R>& active) {
+    return any(may_meet<R>(solid, o, d, active));
+}
+#if defined(ZERKALO_INT_VECTORS)
+template <class R>
+    requires(IntLaneTraits<Mask<R>>::kInVectors)
+ZERKALO_INLINE bool any_may_meet(const SolidPlanFor<R>& solid, Vec3<Length<Uniform<R>>> o,
+                                 const Vec3<Direction<R>>& d, const Mask<R>& active) {
+    // Room for the rounding of squares of lengths up to 15.
+    constexpr float kRoom = 0x1p-10f;
+    const auto f = fitting_difference(o, solid.bound_centre);
+    const float x = float_of(f.x), y = float_of(f.y), z = float_of(f.z), r = float_of(solid.bound_radius);
+    const float beyond = x * x + y * y + z * z - r * r - kRoom;
+    const Floats along = floats_of(d.x) * x + floats_of(d.y) * y + floats_of(d.z) * z;
+    return signs_of(active.v & Words(along * along >= beyond)) != 0;
+}
+#endif
 
 /// n, turned against d. At exactly 0 either side is right.
 template <class R>

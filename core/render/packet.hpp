@@ -65,7 +65,9 @@ ZERKALO_INLINE Pixels<R> row_lanes(const Rect& tile, int first) {
 /// Lanes whose bit is set.
 template <class R>
 ZERKALO_INLINE Mask<R> lanes_of_bits(std::uint64_t bits) {
-    if constexpr (Formats<R>::kFixed || kWidth<R> == 1) {
+    if constexpr (requires { StoredMask<R>::of_bits(0u); }) {
+        return StoredMask<R>::of_bits(static_cast<std::uint32_t>(bits));
+    } else if constexpr (Formats<R>::kFixed || kWidth<R> == 1) {
         auto set = mask_of<R>(false);
         for (int k = 0; k < kWidth<R>; ++k) set_lane(set, k, (bits >> k & 1) != 0);
         return set;

@@ -28,6 +28,13 @@ ZERKALO_INLINE Rgb<Weight<R>> throughput_of_ray(const PlanHead& plan, Rgb<Weight
     return as<Weight<R>>(scaled(full, weight_at_rim<R>(s, plan.samples)));
 }
 
+/// What a ray with the largest share carries from the only mirror.
+template <class R>
+ZERKALO_INLINE Rgb<Weight<R>> full_throughput(const PlanFor<R>& plan) {
+    const auto weight = full_weight<R>(plan.sampling.estimator, plan.samples);
+    return as<Weight<R>>(scaled(spread<Weight<R>>(plan.mirrors[0].reflectance), weight));
+}
+
 /// The background, for all rays of a lobe.
 template <class R>
 ZERKALO_INLINE void add_whole_lobe(const PlanFor<R>& plan, Mask<R> mask, Rgb<Weight<R>> full,

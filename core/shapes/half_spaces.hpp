@@ -21,7 +21,7 @@ struct SlabOrigin {
 
 template <class N, class S, class O>
 ZERKALO_INLINE SlabOrigin<N> slab_seen_from(const S& slab, Vec3<O> o_from_centre) {
-    const auto s = as<Length<N>>(dot(slab.n, o_from_centre));
+    const auto s = rounded<Length<N>>(dot(slab.n, o_from_centre));
     return {slab.lo - s, slab.hi - s};
 }
 
@@ -35,11 +35,10 @@ ZERKALO_INLINE Span<N> whole_span() {
 /// Narrows the span by one slab.
 template <Faces F, class N, class S, class M>
 ZERKALO_INLINE void clip(Span<N>& span, const S& slab, const SlabOrigin<M>& from, Vec3<Direction<N>> d) {
-    const auto along = as<Direction<N>>(dot(slab.n, d));
-    const auto at_lo = quotient<Length<N>>(from.lo, along);
-    const auto at_hi = quotient<Length<N>>(from.hi, along);
-    const auto enter = min(at_lo, at_hi);
-    const auto leave = max(at_lo, at_hi);
+    const auto along = rounded<Direction<N>>(dot(slab.n, d));
+    const auto at = quotients<Length<N>>(from.lo, from.hi, along);
+    const auto enter = min(at.first, at.second);
+    const auto leave = max(at.first, at.second);
     if constexpr (F == Faces::none) {
         span.entry = max(enter, span.entry);
     } else {

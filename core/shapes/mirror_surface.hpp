@@ -36,12 +36,12 @@ ZERKALO_INLINE Vec3<Length<N>> mirror_seen_from(const S& m, Vec3<O> o) {
 template <class N, class S, class O, class T>
 ZERKALO_INLINE MirrorHit<N> plane_mirror_hit(const S& m, Vec3<O> from, Vec3<Direction<N>> d, T t_min) {
     using L = Length<N>;
-    const auto d_z = as<Direction<N>>(dot(m.n, d));
+    const auto d_z = rounded<Direction<N>>(dot(m.n, d));
     const L t = quotient<L>(-from.z, d_z);
     const auto ahead = ahead_of(t_min, t, t);
     if (none(ahead)) return {ahead, t, t, t, L(0)};
-    const L x = from.x + as<L>(t * as<Direction<N>>(dot(m.right, d)));
-    const L y = from.y + as<L>(t * as<Direction<N>>(dot(m.v, d)));
+    const L x = from.x + as<L>(t * rounded<Direction<N>>(dot(m.right, d)));
+    const L y = from.y + as<L>(t * rounded<Direction<N>>(dot(m.v, d)));
     return {MaskOf<N>(ahead & inside_boundary(m.boundary, x, y)), t, x, y, L(0)};
 }
 

@@ -20,9 +20,9 @@ template <class T, class A>
 ZERKALO_INLINE Vec3<A> in_tube_axes(const T& tube, Vec3<A> v) {
     A x = v.x, y = v.y, z = v.z;
     if (!tube.upright) {
-        x = as<A>(dot(tube.axis_x, v));
-        y = as<A>(dot(tube.axis_y, v));
-        z = as<A>(dot(tube.axis_z, v));
+        x = rounded<A>(dot(tube.axis_x, v));
+        y = rounded<A>(dot(tube.axis_y, v));
+        z = rounded<A>(dot(tube.axis_z, v));
     }
     return {x, y, z};
 }
@@ -40,27 +40,29 @@ ZERKALO_INLINE Span<N> lateral_span(const T& tube, Vec3<Length<N>> o, Vec3<Direc
     using A = Area<N>;
     L m = L(tube.mid_radius);
     if constexpr (Tapered) m = m + as<L>(tube.slope * o.y);
-    A a = as<A>(d.x * d.x + d.z * d.z);
-    A b = as<A>(o.x * d.x + o.z * d.z);
+    A a = as<A>(fitting_sum(d.x * d.x, d.z * d.z));
+    A b = as<A>(fitting_sum(o.x * d.x, o.z * d.z));
     A w_x = as<A>(m * d.x);
     A w_z = as<A>(m * d.z);
     Ratio<N> n = Ratio<N>(0);
     if constexpr (Tapered) {
-        n = as<Ratio<N>>(tube.slope * d.y);
-        a = a - n * n;
-        b = b - m * n;
-        w_x = w_x - n * o.x;
-        w_z = w_z - n * o.z;
+        n = rounded<Ratio<N>>(tube.slope * d.y);
+        a = fitting_difference(a, n * n);
+        b = fitting_difference(b, m * n);
+        w_x = fitting_difference(w_x, n * o.x);
+        w_z = fitting_difference(w_z, n * o.z);
     }
-    const L x = as<L>(o.x * d.z - o.z * d.x);
-    const A disc = as<L>(w_x) * as<L>(w_x) + as<L>(w_z) * as<L>(w_z) - x * x;
+    const L x = rounded<L>(fitting_difference(o.x * d.z, o.z * d.x));
+    // Of a cylinder a part of its radius.
+    const L v_x = Tapered ? as<L>(w_x) : rounded<L>(w_x), v_z = Tapered ? as<L>(w_z) : rounded<L>(w_z);
+    const A disc = fitting_difference(fitting_sum(v_x * v_x, v_z * v_z), x * x);
     const A zero = A(0);
     auto exists = (disc >= zero) | (a < zero);
-    if constexpr (Formats<N>::kFixed) exists = exists & (dot(o, o) <= A(tube.reach2));
+    if constexpr (Formats<N>::kFixed) exists = exists & (dot_of_ways(o, o) <= A(tube.reach2));
     Span<N> span = empty_span<N>();
     if (none(exists)) return span;
 
-    const A c = o.x * o.x + o.z * o.z - m * m;
+    const A c = fitting_difference(fitting_sum(o.x * o.x, o.z * o.z), m * m);
     // An area: along a wall that is nearly parallel to the axis and the ray, b is far below a step of a length.
     const auto roots = roots_of_quadratic<L, A, L>(a, b, c, max(disc, zero));
     const L far = far_away<L>();
@@ -94,15 +96,14 @@ ZERKALO_INLINE Span<N> tube_span(const T& tube, Vec3<O> from, Vec3<Direction<N>>
     using L = Length<N>;
     const Vec3<Direction<N>> d = in_tube_axes(tube, direction);
     // Recentre: t is measured from the point nearest to the centre, and moved back at the end.
-    const L t_nearest = -as<L>(dot(from, d));
-    const Vec3<L> o = from + as<L>(d * t_nearest);
+    const L t_nearest = -rounded<L>(dot(from, d));
+    const Vec3<L> o = fitting_sum(from, rounded<L>(d * t_nearest));
     Span<N> span = lateral_span<Tapered, N>(tube, o, d);
     if (none(span.entry <= span.exit)) return span;
 
-    const L at_base = quotient<L>(L(-tube.half_height) - o.y, d.y);
-    const L at_top = quotient<L>(L(tube.half_height) - o.y, d.y);
-    const L enter = min(at_base, at_top);
-    const L leave = max(at_base, at_top);
+    const auto at = quotients<L>(L(-tube.half_height) - o.y, L(tube.half_height) - o.y, d.y);
+    const L enter = min(at.first, at.second);
+    const L leave = max(at.first, at.second);
     const auto cap = index_of<N>(kCapFace), side = index_of<N>(kLateralFace);
     if constexpr (F != Faces::none) span.face_in = select(enter > span.entry, cap, side);
     if constexpr (F == Faces::both) span.face_out = select(leave < span.exit, cap, side);
