@@ -100,7 +100,9 @@ ZERKALO_INLINE CandidateMask chosen_hiders(TileCover& cover, const Plan& plan, c
     cover.panel[k] = static_cast<std::uint8_t>(panel_of(plan, lobe, k));
     if (cover.panel[k] == 0) return 0;
     const CandidateMask hiders = hiders_of(notes, can);
-    return __builtin_popcountll(cover.hiders | hiders) <= kMaxHiders ? hiders : 0;
+    int count = 0;  // a processor may have no instruction for it
+    for (CandidateMask left = cover.hiders | hiders; left != 0; left &= left - 1) ++count;
+    return count <= kMaxHiders ? hiders : 0;
 }
 
 /// Solids whose outline can be integrated. A tube's rim is cut into pieces not longer than the lobe is wide.
