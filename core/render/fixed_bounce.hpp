@@ -100,7 +100,7 @@ ZERKALO_ONCE void render_tile_one_bounce_fixed(const PlanFor<R>& plan, const Til
 
 /// Renders one tile of any scene, by the smaller kernel that can. `general_alone`: none but scenes that need the general
 /// kernel; more than eight lanes: none of these.
-template <class R, bool general_alone>
+template <class R, bool general_alone = false>
 ZERKALO_INLINE void render_tile_fixed(const PlanFor<R>& plan, const Tile& tile, const LinearImage& image,
                                       RayCounts& counts) {
     if constexpr (general_alone) {
