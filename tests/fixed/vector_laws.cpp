@@ -112,7 +112,8 @@ ZERKALO_OPERATION(Threefold, times(a, 3), auto a)
 ZERKALO_OPERATION(Ahead, ahead_of(a, b, c), auto a, auto b, auto c)
 ZERKALO_OPERATION(Dot, dot(Vec3<decltype(a)>{a, b, c}, Vec3<decltype(d)>{d, e, f}), auto a, auto b, auto c, auto d,
                   auto e, auto f)
-ZERKALO_OPERATION(DotOfWays, dot_of_ways(Vec3<decltype(a)>{a, b, c}, Vec3<decltype(a)>{c, a, b}), auto a, auto b, auto c)
+ZERKALO_OPERATION(DotOfWays, dot_of_ways(Vec3<decltype(a)>{a, b, c}, Vec3<decltype(a)>{c, a, b}), auto a, auto b,
+                  auto c)
 ZERKALO_OPERATION(Cross, cross(Vec3<decltype(a)>{a, b, c}, Vec3<decltype(d)>{d, e, f}), auto a, auto b, auto c, auto d,
                   auto e, auto f)
 ZERKALO_OPERATION(Unit, unit_of(Vec3<decltype(a)>{a, b, c}), auto a, auto b, auto c)
