@@ -1,8 +1,8 @@
 // Lanes of integers in the vector registers, by the compilers' own vector types: the moves between 32 and 64 bits, the
 // widening product, and the float unit's division and root. The only file of fixed point that names instructions.
 //
-// W numbers of 32 bits fill a register, of 64 bits two, the even and the odd lanes: so the widening product of x86 takes
-// and gives them, and a change of width is a shift and a blend.
+// W numbers of 32 bits fill a register, of 64 bits two, the even and the odd lanes: so the widening product of x86
+// takes and gives them, and a change of width is a shift and a blend.
 #pragma once
 
 #include "core/numeric/fixed_lanes.hpp"

@@ -172,14 +172,10 @@ ZERKALO_INLINE Words rescaled_words(const Longs& x) {
     static_assert(Shift > 1 && Shift < 62);
     constexpr std::int64_t kHalf = std::int64_t{1} << (Shift - 1);
     if constexpr (Shift > 32) {
-        // The result fits; what rounding would carry out of 64 bits is held before it.
-        const Longs rounded = each_part(
-            [](Quads y) ZERKALO_INLINE_LAMBDA {
-                constexpr std::int64_t kMost = kMostLong - kHalf;
-                return (y > kMost ? Quads{} + kMost : y) + (sign_of(y) + kHalf);
-            },
-            x);
-        return high_words(rounded) >> (Shift - 32);
+        // The result fits. Halves are added last, where there is room for them.
+        const Longs down = each_part([](Quads y) ZERKALO_INLINE_LAMBDA { return y + sign_of(y); }, x);
+        const Words twice = high_words(down) >> (Shift - 33);
+        return (twice >> 1) + (twice & 1);
     } else {
         return low_words(each_part(
             [](Quads y) ZERKALO_INLINE_LAMBDA {

@@ -32,8 +32,9 @@ ZERKALO_ONCE Words last_step(const Longs& a, Words b, Words q) {
     return Words(Words(magnitude_of(rest)) > Words(bound)) & (sign_of(rest ^ b) | 1);
 }
 
-/// The integer nearest to a / b, ties away from zero, held at the ends; of a / 0 the end of a's sign, of 0 / 0 the upper
-/// one. `quotient`: a / b, off by 2^-21 at most where it fits; `whole()`: a itself, asked for where that cannot tell.
+/// The integer nearest to a / b, ties away from zero, held at the ends; of a / 0 the end of a's sign, of 0 / 0 the
+/// upper one. `quotient`: a / b, off by 2^-21 at most where it fits; `whole()`: a itself, asked for where that cannot
+/// tell.
 template <class Whole>
 ZERKALO_INLINE Words settled_quotient(const DoubleParts& quotient, Words b, const Whole& whole) {
     constexpr double kMost = double(kMostWord), kNearHalf = 0.5 - 0x1p-20;

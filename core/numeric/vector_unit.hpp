@@ -65,7 +65,8 @@ ZERKALO_ONCE VectorUnit<VectorWords> unit_of_lanes(VectorWords x, VectorWords y,
     const UnsignedWords length = UnsignedWords(low_words(parts.length));
     const Words moved = Words(up != 0);
     const UnsignedWords rounded = ((length >> ((up + UnsignedWords(moved)) & 31u)) + 1u) >> 1;
-    const Words whole = where_negative(moved, Words(rounded), where_negative(Words(length), all_words(kMostWord), Words(length)));
+    const Words held = where_negative(Words(length), all_words(kMostWord), Words(length));
+    const Words whole = where_negative(moved, Words(rounded), held);
     return {signed_share(share_of(size_x, parts.inverse), sign_of(x.v), zero),
             signed_share(share_of(size_y, parts.inverse), sign_of(y.v), zero),
             signed_share(share_of(size_z, parts.inverse), sign_of(z.v), zero), VectorWords(whole)};

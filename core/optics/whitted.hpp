@@ -42,8 +42,8 @@ ZERKALO_INLINE auto inverse_square(Fixed<A, F> distance) {
     return reciprocal<Inverse<Fixed<A, F>>>(distance * distance);
 }
 
-/// Whether a highlight of exponent n counts in some lane: where x = 1 - R.V is less than 1 and than limit / n. No picture
-/// depends on a yes too many.
+/// Whether a highlight of exponent n counts in some lane: where x = 1 - R.V is less than 1 and than limit / n. No
+/// picture depends on a yes too many.
 template <class R>
 ZERKALO_INLINE bool may_shine(const ToLight<R>&, const Vec3<Direction<R>>&, const Vec3<Direction<R>>&,
                               Exponent<Uniform<R>>, Exponent<Uniform<R>>, const Mask<R>&) {

@@ -3,8 +3,8 @@
 //
 //     camera rays -> local light; the mirror's pixels wait -> those whose lobe meets nothing leave -> their lobes
 //
-// Lobes that no solid is near see the background alone. The lobes of one class share the directions of their rays, in the lobe's own frame: which of them may meet a solid is
-// asked once for a packet, with rays in the lanes.
+// Lobes that no solid is near see the background alone. The others of one class share the directions of their rays, in
+// the lobe's own frame: which of them may meet a solid is asked once for a packet, with rays in the lanes.
 #pragma once
 
 #include "core/render/fixed_lobes.hpp"
@@ -98,9 +98,9 @@ ZERKALO_ONCE void render_tile_one_bounce_fixed(const PlanFor<R>& plan, const Til
     counts.shadow += tile_counts.shadow;
 }
 
-/// Renders one tile of any scene, by the smaller kernel that can. `general_alone`: none but scenes that need the general
+/// Renders one tile of any scene, by the smaller kernel that can. `general_alone`: only scenes that need the general
 /// kernel; more than eight lanes: none of these.
-template <class R, bool general_alone>
+template <class R, bool general_alone = false>
 ZERKALO_INLINE void render_tile_fixed(const PlanFor<R>& plan, const Tile& tile, const LinearImage& image,
                                       RayCounts& counts) {
     if constexpr (general_alone) {

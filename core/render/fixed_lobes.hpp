@@ -146,7 +146,7 @@ ZERKALO_ONCE void cull_lobes(const PlanFor<R>& plan, WaitingLobes& waiting, Ligh
         Rgb<LightSum<R>> sum = load_sum<R>(sums, first);
         CandidateMask candidates;
         const Mask<R> with_rays = lanes_with_rays<R>(plan, lobe, packet.o, packet.m, full_throughput<R>(plan),
-                                                     packet.active, solids, candidates, sum);
+                                                     packet.active, candidates, sum, solids);
         store_sum<R>(sums, first, sum);
         sending |= std::uint64_t{bits_of(with_rays)} << first;
         waiting.candidates |= candidates;
@@ -170,7 +170,8 @@ ZERKALO_INLINE Nearest<R> nearest_from(const PlanFor<R>& plan, CandidateMask can
     return best;
 }
 
-/// The same from points of the mirror, where nothing better is known. Called, not inlined: seldom, and it takes registers.
+/// The same from points of the mirror, where nothing better is known. Called, not inlined: seldom, and it takes
+/// registers.
 template <class R>
 ZERKALO_ONCE Nearest<R> nearest_from_mirror(const PlanFor<R>& plan, CandidateMask candidates, const Vec3<Length<R>>& o,
                                             const Vec3<Direction<R>>& d, const Mask<R>& active) {

@@ -1,7 +1,7 @@
 // Which rays of a chunk pass a solid that is no ball, widened on all sides: rays in the lanes, from one origin.
 //
-// A yes too many costs time and changes no picture: so kernels in vector registers ask in float, a third of the work, and
-// widen by what its rounding may do. One lane asks in its integers.
+// A yes too many costs time and changes no picture: so kernels in vector registers ask in float, a third of the work,
+// and widen by what its rounding may do. One lane asks in its integers.
 #pragma once
 
 #include "core/render/class_rays.hpp"
@@ -128,8 +128,9 @@ ZERKALO_INLINE void widen_tube(WidenedSolid<R>& wide, const TubeDataOf<FixedForm
 }
 
 template <class R>
-ZERKALO_INLINE void widen_slabs(WidenedSolid<R>& wide, const PlanFor<R>& plan, const HalfSpacesDataOf<FixedFormats>& body,
-                                Vec3<Length<Uniform<R>>> o, Length<Uniform<R>> delta) {
+ZERKALO_INLINE void widen_slabs(WidenedSolid<R>& wide, const PlanFor<R>& plan,
+                                const HalfSpacesDataOf<FixedFormats>& body, Vec3<Length<Uniform<R>>> o,
+                                Length<Uniform<R>> delta) {
     using One = typename WidenedSolid<R>::One;
     using L = Length<One>;
     const L room = number_as<L>(delta);

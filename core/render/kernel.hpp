@@ -12,8 +12,8 @@ struct KernelTable {
     SpreadFunction spread_kernels[kKernelKinds];
 };
 
-// The kernel of every scene in fixed point, one for each translation unit of kernel_fixed.cpp. AVX-512 has two: 16 lanes
-// for at most one bounce, and 8 for the scenes that need the general kernel, whose packets would not fit into 24 KB.
+// The kernel of every scene in fixed point, one for each translation unit of kernel_fixed.cpp. AVX-512 has two: 16
+// lanes for at most one bounce, and 8 for scenes that need the general kernel, whose packets must fit into 24 KB.
 extern const FixedTileFunction kFixedKernel_scalar, kFixedKernel_sse4_2, kFixedKernel_avx2, kFixedKernel_avx512,
     kFixedKernel_avx512_general, kFixedKernel_neon;
 

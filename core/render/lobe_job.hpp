@@ -193,16 +193,18 @@ ZERKALO_INLINE Mask<R> cone_may_meet(const SolidPlanFor<R>& solid, const LobeFor
     const L along = rounded<L>(dot(f, m));
     const auto radius = as<Length<One>>(solid.bound_radius * lobe.cone.secant) + kRoom;
     const L reach = as<L>((along + stray) * lobe.cone.tangent) + L(radius) + stray;
-    const Mask<R> ahead = reach >= L(0), near = fitting_difference(dot_of_ways(f, f), along * along) <= fitting_sum(reach * reach, kSquareRoom<R>);
+    const Area<R> across2 = fitting_difference(dot_of_ways(f, f), along * along);
+    const Mask<R> ahead = reach >= L(0), near = across2 <= fitting_sum(reach * reach, kSquareRoom<R>);
     return ahead & near;
 }
 
-/// Which lanes of `front` must send their lobe's rays, and what these can meet: of the solids, only some of `solids`; the
-/// others see the background alone, which is added to the sum. `throughput`: of a ray with the largest share.
+/// Which lanes of `front` must send their lobe's rays, and what these can meet: of the solids, only some `among` these.
+/// The others see the background alone, which is added to the sum. `throughput`: of a ray with the largest share.
 template <class R>
 ZERKALO_INLINE Mask<R> lanes_with_rays(const PlanFor<R>& plan, const LobeFor<R>& lobe, Vec3<Length<R>> p,
                                        Vec3<Direction<R>> m, Rgb<Weight<R>> throughput, Mask<R> front,
-                                       CandidateMask solids, CandidateMask& candidates, Rgb<LightSum<R>>& sum) {
+                                       CandidateMask& candidates, Rgb<LightSum<R>>& sum,
+                                       CandidateMask among = ~CandidateMask{0}) {
     candidates = all_of(plan);
     if constexpr (!Formats<R>::kFixed) {
         return front;
@@ -213,7 +215,7 @@ ZERKALO_INLINE Mask<R> lanes_with_rays(const PlanFor<R>& plan, const LobeFor<R>&
         candidates = alone ? 0 : candidates - solids_in(candidates);
         using L = Length<R>;
         auto reached = mask_of<R>(false);
-        for (CandidateMask left = solids; left != 0; left &= left - 1) {
+        for (CandidateMask left = solids_in(all_of(plan)) & among; left != 0; left &= left - 1) {
             const int k = first_of(left);
             const auto here = front & cone_may_meet<R>(plan.solids[k], lobe, p, m, L(0));
             if (none(here)) continue;

@@ -114,6 +114,20 @@ ZERKALO_INLINE MirrorHit<System<R>> plane_or_curved(const MirrorPlanFor<R>& mirr
     return hit;
 }
 
+/// Unit normal of the mirror's front at a point in its frame.
+template <class R>
+ZERKALO_INLINE Vec3<Direction<R>> front_normal(const MirrorPlanFor<R>& mirror, Length<R> x, Length<R> y, Length<R> z) {
+    // Of a plane exactly n in fixed point; in floating point zeros may get another sign.
+    if (Formats<R>::kFixed && !mirror.curved) return spread<Direction<R>>(mirror.shape.n);
+    return mirror_normal(mirror.shape, x, y, z);
+}
+
+/// A point that a ray has met.
+template <class R>
+ZERKALO_INLINE Vec3<Length<R>> point_at(Vec3<Length<R>> o, Vec3<Direction<R>> d, Length<R> t) {
+    return fitting_sum(o, rounded<Length<R>>(d * t));
+}
+
 /// Lanes whose ray comes near the solid's bounding sphere. Conservative: without the others nothing is missed.
 template <class R>
     requires(!Formats<R>::kFixed)
@@ -142,8 +156,8 @@ ZERKALO_INLINE Mask<R> may_meet(const SolidPlanFor<R>& solid, Vec3<Fixed<A, Leng
 /// Whether some ray of the packet may, of rays from one origin. No picture depends on a yes too many: packets in vector
 /// registers ask in float.
 template <class R>
-ZERKALO_INLINE bool any_may_meet(const SolidPlanFor<R>& solid, Vec3<Length<Uniform<R>>> o,
-                                 const Vec3<Direction<R>>& d, const Mask<R>& active) {
+ZERKALO_INLINE bool any_may_meet(const SolidPlanFor<R>& solid, Vec3<Length<Uniform<R>>> o, const Vec3<Direction<R>>& d,
+                                 const Mask<R>& active) {
     return any(may_meet<R>(solid, o, d, active));
 }
 #if defined(ZERKALO_INT_VECTORS)

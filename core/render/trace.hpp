@@ -148,7 +148,7 @@ ZERKALO_INLINE void light_solids(const PlanFor<R>& plan, CandidateMask candidate
         const SolidPlanFor<R>& solid = plan.solids[k];
         const auto here = active & (hit.id == Index<R>(solid.id));
         if (none(here)) continue;
-        const Vec3<Length<R>> p = fitting_sum(o, rounded<Length<R>>(d * hit.t));
+        const Vec3<Length<R>> p = point_at<R>(o, d, hit.t);
         const Vec3<Direction<R>> n = normal_towards<R>(plan, solid, p, hit.face, d, Mask<R>(here));
         const Departure<R> spot{Index<R>(solid.id), hit.face, hit.from_inside};
         const bool own_counts = solid.shape == ShapeKind::mesh || any(here & hit.from_inside);
@@ -221,7 +221,7 @@ ZERKALO_INLINE void continue_at_mirror(const PlanFor<R>& plan, const PathPacket<
     } else {
         const Rgb<W> part = as<W>(scaled(throughput, full_weight<R>(plan.sampling.estimator, plan.samples)));
         CandidateMask candidates;
-        const Mask<R> sending = lanes_with_rays<R>(plan, lobe, p, d, part, front, solids_in(all_of(plan)), candidates, sum);
+        const Mask<R> sending = lanes_with_rays<R>(plan, lobe, p, d, part, front, candidates, sum);
         if (none(sending)) return;
         next.job.candidates |= candidates;
         go_on<R>(next.job, sending, p, d, part, spot);
@@ -248,12 +248,10 @@ ZERKALO_INLINE MirrorSpot<R> light_mirror(const PlanFor<R>& plan, int m, const B
                                           const AnyHit<R>& hit, Vec3<Length<R>> o, Vec3<Direction<R>> d, Mask<R> here,
                                           Rgb<Weight<R>> throughput, Rgb<LightSum<R>>& sum, TileCounts& counts) {
     const MirrorPlanFor<R>& mirror = plan.mirrors[m];
-    Vec3<Direction<R>> outward = spread<Direction<R>>(mirror.shape.n);
-    // Of a plane exactly n in fixed point; in floating point zeros may get another sign.
-    if (!Formats<R>::kFixed || mirror.curved) outward = mirror_normal(mirror.shape, hit.x, hit.y, hit.z);
+    const Vec3<Direction<R>> outward = front_normal<R>(mirror, hit.x, hit.y, hit.z);
     const auto front = here & (dot(outward, d) < Square<R>(0));
     const Departure<R> spot{index_of<R>(kMaxSolids + m), Index<R>(0), mask_of<R>(false)};
-    const MirrorSpot<R> at{fitting_sum(o, rounded<Length<R>>(d * hit.t)), select(front, outward, -outward), spot, Mask<R>(front)};
+    const MirrorSpot<R> at{point_at<R>(o, d, hit.t), select(front, outward, -outward), spot, Mask<R>(front)};
     for (int side = 0; side < 2; ++side) {
         const Mask<R> seen = side == 0 ? Mask<R>(front) : Mask<R>(here & (!front));
         if (none(seen)) continue;

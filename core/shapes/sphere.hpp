@@ -43,7 +43,8 @@ ZERKALO_INLINE Span<N> sphere_span(const S& sphere, const SphereOrigin<M>& from,
     using L = Length<N>;
     const auto b = rounded<L>(dot(from.f, d));
     const auto l = fitting_difference(from.f, rounded<L>(d * b));
-    return span_of_sphere<N>(b, as<Area<N>>(from.c), as<Area<N>>(fitting_difference(sphere.radius2, dot_of_ways(l, l))));
+    const auto disc = fitting_difference(sphere.radius2, dot_of_ways(l, l));
+    return span_of_sphere<N>(b, as<Area<N>>(from.c), as<Area<N>>(disc));
 }
 
 /// The same from inside or close to the surface, with c good to its last digit: there b^2 - c keeps what r^2 - l.l
