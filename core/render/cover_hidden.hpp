@@ -4,7 +4,7 @@
 //     coverage_f - sum over A of coverage of (f and A)
 //
 // and a lobe ray that meets f counts 1 - the number of these A that it meets as well, whichever is nearest: so any
-// choice is right, and where at most one of them hides a place, which is before which is all that is left to the rays.
+// choice of them is right. Where one of them hides f, nothing but wrong shades is left to the rays.
 #pragma once
 
 #include "core/render/cover_outlines.hpp"
