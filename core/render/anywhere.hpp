@@ -200,6 +200,14 @@ ZERKALO_ONCE void hide_anywhere(Mask<R>& visible, const PlanFor<R>& plan, const 
     }
 }
 
+/// Lanes whose way to the light mirror m crosses.
+template <class R>
+ZERKALO_ONCE Mask<R> hidden_by_mirror(const PlanFor<R>& plan, int m, const ToLight<R>& to, const Vec3<Length<R>>& p,
+                                      const Departure<R>& spot) {
+    const auto hit = any_mirror_hit<R>(plan, m, p, to.l, spot, Length<R>(0));
+    return Mask<R>(hit.hit & (hit.t < to.distance));
+}
+
 /// Do all ways to the light pass the solid's bounding sphere? Asked in fixed point alone: in float the question costs
 /// as much as the answer to whether the solid hides the light.
 template <class R>
@@ -226,8 +234,7 @@ ZERKALO_INLINE Mask<R> visible_anywhere(const PlanFor<R>& plan, const LightPlanF
         if (none(visible)) return visible;
     }
     for (CandidateMask left = mirrors_in(blockers); left != 0; left &= left - 1) {
-        const auto hit = any_mirror_hit<R>(plan, first_of(left), p, to.l, spot, Length<R>(0));
-        visible = visible & (!(hit.hit & (hit.t < to.distance)));
+        visible = visible & (!hidden_by_mirror<R>(plan, first_of(left), to, p, spot));
     }
     return visible;
 }

@@ -18,7 +18,7 @@ constexpr std::int32_t count_of_rays(RayMask rays) {
 }
 constexpr RayMask first_rays(std::int32_t count) { return count < kRayChunk ? (RayMask{1} << count) - 1 : ~RayMask{0}; }
 
-constexpr int kMostAimed = 8;
+constexpr int kMostAimed = 6;
 constexpr int kHoistedSlabs = 16;
 
 /// A solid that some rays may meet from some pixels, and what its intersections owe to the origins.
