@@ -17,7 +17,7 @@
 #pragma once
 
 #include "core/render/cover_grid.hpp"
-#include "core/render/spread.hpp"
+#include "core/render/gloss_settle.hpp"
 
 namespace zerkalo::inline ZERKALO_ISA {
 
@@ -56,19 +56,28 @@ ZERKALO_INLINE void frame_group(GroupFrames<R>& frames, const GlossQueue& queue,
 
 /// Rays alone: nothing is known of a lobe before them, and nobody asks how sure its average is.
 struct NoAids {
-    static constexpr bool kAided = false;
+    static constexpr bool kCovers = false, kTells = false;
     template <class R>
     struct Met {};
 };
 
+/// Rays alone that tell how sure their average is.
+struct TellingAids {
+    static constexpr bool kCovers = false, kTells = true;
+    template <class R>
+    struct Met {};
+    TileSpread* spread;
+    GlossParts parts;  // in the spread
+};
+
 /// What a tile's lobe rays can have beside them.
 struct LobeAids {
-    static constexpr bool kAided = true;
+    static constexpr bool kCovers = true, kTells = true;
     template <class R>
     using Met = Meetings<R>;
+    TileSpread* spread;  // null: nobody asks
+    GlossParts parts;
     const TileCover& cover;  // what is known before them
-    TileSpread* spread;      // tells how sure the average is; null: nobody asks
-    GlossParts parts;        // in the spread
 };
 
 /// Adds the weights of a chunk's rays to their sum, and each to that of its part.
@@ -120,7 +129,7 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
     if (weighted) {
         // The mean weight counts all rays, also those that meet nothing.
         bool told = false;
-        if constexpr (Aids::kAided) {
+        if constexpr (Aids::kTells) {
             told = aids.spread != nullptr;
             if (told) add_weights(queue, *aids.parts.weight, c, at, n, chunk, inverse_cosine);
         }
@@ -132,7 +141,7 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
     const auto take = [&](std::int32_t s, Rgb<R> light) ZERKALO_INLINE_LAMBDA {
         if (s < chunk.rim) light = scaled(light, R(chunk.weight[s]));
         sum = sum + light;
-        if constexpr (Aids::kAided) {
+        if constexpr (Aids::kTells) {
             if (aids.spread == nullptr) return;
             const GlossParts& parts = aids.parts;
             const std::int32_t part = s % kSpreadParts;
@@ -148,7 +157,7 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
             Rgb<R> counted = none_yet;
             typename Aids::template Met<R> meetings;
             const auto each = [&](int k, R face, Mask<R> met) ZERKALO_INLINE_LAMBDA {
-                if constexpr (Aids::kAided) {
+                if constexpr (Aids::kCovers) {
                     if (aids.cover.hiders != 0) return meetings.add(aids.cover, k, face, met);
                     add_counted(counted, aids.cover, k, face, met);
                 }
@@ -156,14 +165,14 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
             const Nearest<R> near = nearest_in_lobe(plan, aim, s, p, d, asked, each);
             Mask<R> hit = active & (near.id >= R(0));
             if (none(hit)) continue;
-            if constexpr (Aids::kAided) {
+            if constexpr (Aids::kCovers) {
                 if (aids.cover.hiders != 0) counted = counted_of(aids.cover, meetings);
             }
             if (dips) hit = hit & (ray_cosine(n, chunk, s) > R(0));
             Rgb<R> light = solid_light(plan, asked, near, p, d, hit, background, counts) - background;
             if (weighted) light = scaled(light, lobe_weight(ray_cosine(n, chunk, s), inverse_cosine));
             // In the order of the other branch: which one a ray takes depends on its packet.
-            if constexpr (Aids::kAided) take(s, none_yet - counted);
+            if constexpr (Aids::kCovers) take(s, none_yet - counted);
             take(s, light);
         } else {
             const LobeCandidate<R>& candidate = only_candidate(aim, s);
@@ -175,7 +184,7 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
                 face = span.face_in;
             });
             if (none(hit)) continue;
-            if constexpr (Aids::kAided) {
+            if constexpr (Aids::kCovers) {
                 Rgb<R> counted = none_yet;
                 add_counted(counted, aids.cover, candidate.k, face, hit);
                 take(s, none_yet - counted);
@@ -187,49 +196,6 @@ ZERKALO_INLINE void shoot_chunk(const Plan& plan, const MirrorPlan& mirror, cons
         }
     }
     store(queue.r + at, sum.r), store(queue.g + at, sum.g), store(queue.b + at, sum.b);
-}
-
-/// Adds F K_r I to the colours of the pixels that waited, from the sums of their lobe rays. Other lanes read any sum.
-template <class R>
-ZERKALO_INLINE void settle(const GlossQueues& queues, std::uint64_t waited, const Plan& plan, const MirrorPlan& mirror,
-                           TileColours& colours) {
-    constexpr std::uint64_t kPacket = (std::uint64_t{1} << kWidth<R>)-1;
-    const GlossQueue& sums = queues.of_class[0];
-    const R rays = R(rays_in_all(plan.sampling.estimator, plan.samples)), zero = R(0);
-    const Rgb<R> background = spread<R>(plan.background), tint = spread<R>(mirror.reflectance);
-    for (int first = 0; first < kTilePixels; first += kWidth<R>) {
-        const std::uint64_t bits = waited >> first & kPacket;
-        if (bits == 0) continue;
-        const std::uint8_t* slots = queues.slot + first;
-        const R weight = mirror.lobe.max_phong ? gather<R>(sums.weight, slots) / rays : R(1);
-        const Rgb<R> mean{gather<R>(sums.r, slots) / rays, gather<R>(sums.g, slots) / rays,
-                          gather<R>(sums.b, slots) / rays};
-        const Rgb<R> seen = tint * (scaled(background, weight) + mean);
-        put(colours, first, select(lanes_of_bits<R>(bits), seen, Rgb<R>{zero, zero, zero}), true);
-    }
-}
-
-/// Adds to the tile's spread what the parts of one class of pixels tell: see TileSpread.
-template <class R>
-ZERKALO_INLINE void settle_spread(const GlossQueue& queue, const LobeAids& aids, int c, const Plan& plan,
-                                  const MirrorPlan& mirror) {
-    const GlossParts& parts = aids.parts;
-    const Rgb<R> background = spread<R>(plan.background), tint = spread<R>(mirror.reflectance);
-    const float part_of_ray = 1.0f / rays_in_all(plan.sampling.estimator, plan.samples);
-    for (std::int32_t at = 0; at < queue.count; at += kWidth<R>) {
-        PartSums<R> sums;
-        for (int part = 0; part < kSpreadParts; ++part) {
-            const Rgb<R> seen{load<R>((*parts.r)[c][part] + at), load<R>((*parts.g)[c][part] + at),
-                              load<R>((*parts.b)[c][part] + at)};
-            const Rgb<R> light = tint * (scaled(background, load<R>((*parts.weight)[c][part] + at)) + seen);
-            sums.part[part] = scaled(light, R(plan.part_scale[part]));
-        }
-        alignas(64) float variance[kWidth<R>];
-        store(variance, variance_of(sums) * R(part_of_ray * part_of_ray));
-        for (std::int32_t k = 0; k < kWidth<R> && at + k < queue.count; ++k) {
-            aids.spread->variance[queue.pixel[at + k]] += variance[k];
-        }
-    }
 }
 
 constexpr int kClassChunks = 2;  // of a keyed rule: for the even classes and for the odd ones
@@ -280,7 +246,7 @@ ZERKALO_ONCE void flush(GlossQueues& queues, const LatticeClasses& classes, cons
             }
         }
     }
-    if constexpr (Aids::kAided) {
+    if constexpr (Aids::kTells) {
         for (int c = 0; aids.spread != nullptr && c < kLatticeClasses; ++c) {
             settle_spread<R>(queues.of_class[c], aids, c, plan, mirror);
         }

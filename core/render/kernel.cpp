@@ -42,6 +42,12 @@ void lobe_with_spread(const Plan& plan, const Tile& tile, const LinearImage& ima
                       TileSpread& spread) {
     const IeeeMode ieee;
     clear(spread);
+    render_tile_telling<R>(plan, tile, image, counts, spread);
+}
+void covered_with_spread(const Plan& plan, const Tile& tile, const LinearImage& image, RayCounts& counts,
+                         TileSpread& spread) {
+    const IeeeMode ieee;
+    clear(spread);
     render_tile_aided<R, G>(plan, tile, image, counts, &spread);
 }
 void general_with_spread(const Plan& plan, const Tile& tile, const LinearImage& image, RayCounts& counts,
@@ -54,7 +60,8 @@ void general_with_spread(const Plan& plan, const Tile& tile, const LinearImage& 
 }  // namespace
 
 extern const KernelTable ZERKALO_TABLE;
-const KernelTable ZERKALO_TABLE = {{&sharp, &lobe, &covered, &general},
-                                   {&sharp_with_spread, &lobe_with_spread, &lobe_with_spread, &general_with_spread}};
+const KernelTable ZERKALO_TABLE = {
+    {&sharp, &lobe, &covered, &general},
+    {&sharp_with_spread, &lobe_with_spread, &covered_with_spread, &general_with_spread}};
 
 }  // namespace zerkalo

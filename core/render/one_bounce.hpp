@@ -171,6 +171,19 @@ inline void render_tile_lobe(const Plan& plan, const Tile& tile, const LinearIma
     });
 }
 
+/// With lobe rays alone that tell how sure their average is.
+template <class R>
+inline void render_tile_telling(const Plan& plan, const Tile& tile, const LinearImage& image, RayCounts& counts,
+                                TileSpread& spread) {
+    render_tile_glossy<R>(plan, tile, image, counts,
+                          [&](GlossQueues& queues, const LatticeClasses& classes, CandidateMask candidates,
+                              std::int32_t a, SubPixel, TileColours& colours, TileCounts& tile_counts) {
+        flush<R>(queues, classes, plan, plan.mirrors[0], candidates, TellingAids{&spread, parts_in(spread)},
+                 static_cast<std::uint32_t>(a), colours, tile_counts);
+    });
+    average(spread, plan.antialias);
+}
+
 /// Covered solids of a tile, and their light where it is interpolated between.
 struct CoveredTile {
     TileCover cover;
@@ -190,20 +203,19 @@ ZERKALO_INLINE void cover_lobes(CoveredTile& covered, const GlossQueues& queues,
     add_covered<R>(covered.cover, covered.grid, queues, plan, at, colours, counts);
 }
 
-/// With solids that are covered before the lobe rays, if the plan says so, and telling how sure the average is, if
-/// `spread` is not null. G: the lanes of the lobe's rays, where R may be too many for the stack.
+/// With solids that are covered before the lobe rays, and telling how sure the average is, if `spread` is not null. G:
+/// the lanes of the lobe's rays, where R may be too many for the stack.
 template <class R, class G>
 inline void render_tile_aided(const Plan& plan, const Tile& tile, const LinearImage& image, RayCounts& counts,
                               TileSpread* spread) {
-    const bool covers = (plan.features & kFeatureCoverage) != 0;
     CoveredTile covered;
     covered.cover.count = 0;
     covered.cover.hiders = 0;
-    LobeAids aids{covered.cover, spread, {}};
+    LobeAids aids{spread, {}, covered.cover};
     render_tile_glossy<R>(plan, tile, image, counts,
                           [&](GlossQueues& queues, const LatticeClasses& classes, CandidateMask candidates,
                               std::int32_t a, SubPixel at, TileColours& colours, TileCounts& tile_counts) {
-        if (covers) cover_lobes<G>(covered, queues, plan, tile, at, colours, tile_counts);
+        cover_lobes<G>(covered, queues, plan, tile, at, colours, tile_counts);
         if (spread != nullptr) aids.parts = parts_in(*spread);
         flush<G>(queues, classes, plan, plan.mirrors[0], candidates, aids, static_cast<std::uint32_t>(a), colours,
                  tile_counts);

@@ -50,18 +50,19 @@ void mix(const LinearImage& image, const Rect& tile, const float* before, double
 double mix_variance(const PlanHead& plan, const Accumulator& accumulator, const Rect& tile, const TileSpread& spread,
                     double share, bool first) {
     const double of_new = share * share * share_of_parts(plan), of_old = (1 - share) * (1 - share);
-    double sum = 0;
+    float columns[kTileSide] = {};  // sums that do not wait for one another
     for (std::int32_t y = 0; y < tile.height; ++y) {
-        const std::ptrdiff_t row = std::ptrdiff_t{tile.top + y} * plan.width + tile.left;
+        for (std::int32_t x = 0; x < kTileSide; ++x) columns[x] += spread.variance[y * kTileSide + x];
+        if (accumulator.variance == nullptr) continue;
+        float* row = accumulator.variance + (std::ptrdiff_t{tile.top + y} * plan.width + tile.left);
         for (std::int32_t x = 0; x < tile.width; ++x) {
             const double fresh = of_new * double(spread.variance[y * kTileSide + x]);
-            sum += fresh;
-            if (accumulator.variance == nullptr) continue;
-            float& variance = accumulator.variance[row + x];
-            variance = float(first ? fresh : of_old * double(variance) + fresh);
+            row[x] = float(first ? fresh : of_old * double(row[x]) + fresh);
         }
     }
-    return sum;
+    double sum = 0;
+    for (const float column : columns) sum += double(column);
+    return of_new * sum;
 }
 
 /// The new pass's weight in the mean of all, which it counts for from now on.

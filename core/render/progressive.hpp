@@ -1,17 +1,24 @@
 // A picture in passes: each makes it better, none is wasted, and after each the picture is whole and its error known.
 //
 //     const auto kernel = pass_kernel_for(plan, isa);
-//     for (int k = 0; k < kernel.survey_passes(); ++k) {                   // a survey of every tile
-//         begin_pass(plan, {kernel.survey_samples(), rotation + k, k == 0});
-//         for (every tile, or where k > 0 with tiles[i].next > 0) add_pass(plan, kernel, tile, accumulator, counts);
+//     for (int group = 0; group < kFirstGroups; ++group) {                 // a survey of every tile, few tiles first
+//         begin_pass(plan, {first_samples(plan, accumulator, wanted), rotation, true});
+//         for (every tile with first_group(plan, i) == group) add_pass(plan, kernel, tile, accumulator, counts);
 //     }
 //     while (estimated_error(plan, accumulator) > wanted) {
 //         plan_round(plan, accumulator, wanted);                           // who needs how many samples more
-//         ++rotation;                                                      // beginning after those of the survey
+//         ++rotation;
 //         for (int step = 0; step < kLadderSteps; ++step) {                // tiles of one step share a pass
 //             begin_pass(plan, {samples_of_step(step), rotation});
 //             for (every tile with tiles[i].next == samples_of_step(step)) add_pass(...);
 //         }
+//     }
+//
+// Without an error that is wanted, and always where kernel.spread is null, the survey is
+//
+//     for (int k = 0; k < kernel.survey_passes(); ++k, ++rotation) {
+//         begin_pass(plan, {kernel.survey_samples(), rotation, k == 0});
+//         for (every tile, or where k > 0 with tiles[i].next > 0) add_pass(...);
 //     }
 //
 // Tiles of one pass may be added by many threads at once, in any order: a tile touches its own pixels and its own
@@ -27,7 +34,8 @@ namespace zerkalo {
 
 constexpr std::int32_t kFirstSamples = kSpreadParts;   // of the survey, the floor: no tile is trusted with fewer
 constexpr std::int32_t kMostSamples = 1 << 14;         // of one pass: what this does not reach is given up
-constexpr int kLadderSteps = 24;                       // and so many sizes a pass can have
+constexpr int kLadderSteps = 24;                       // and so many sizes a later pass can have
+constexpr int kFirstGroups = 5;                        // of tiles in a survey: the first ones tell what the next need
 constexpr std::int32_t kReplicas = 4;                  // passes of a survey where one alone tells nothing of its error
 constexpr std::int32_t kReplicaSamples = 2;            // and the lobe rays of each
 
@@ -126,6 +134,14 @@ double estimated_error(const PlanHead& plan, const Accumulator& accumulator);
 
 /// The same of one tile.
 double estimated_error(const PlanHead& plan, const Accumulator& accumulator, int tile);
+
+/// The group of a tile, 0..kFirstGroups - 1: a sixteenth of the tiles is in the first one, as many as in all before it
+/// in each later one. All lie evenly over the picture.
+int first_group(const PlanHead& plan, int tile);
+
+/// Samples of the next group's first pass, so that the whole picture should come a little short of `error`: by the
+/// tiles that have had a pass, kFirstSamples where none has. A multiple of kSpreadParts.
+std::int32_t first_samples(const PlanHead& plan, const Accumulator& accumulator, double error);
 
 /// Sets `next` of every tile, so that the estimate should then be at most `error`: samples go where they lower it the
 /// most. Returns false, and nobody gets a pass, if every tile that could need one has had kMostSamples. Precondition, of

@@ -8,11 +8,10 @@
 namespace zerkalo {
 namespace {
 
-constexpr double kOwnShare = 7.0 / 8;   // of a tile's variance in what it is planned by; the rest is the average tile's
-constexpr double kWorthAPass = 2;       // a pass costs its camera rays: it has to make the weight so many times larger
-constexpr double kLargestStep = 16;     // times the samples so far: an estimate from few samples must not decide all
-constexpr double kMargin = 0.95;         // of the variance asked for: the next estimate is not exactly the expected one
-constexpr int kBisections = 12;         // of a range of speeds, by their logarithm
+constexpr double kOwnShare = 7.0 / 8;  // of a tile's variance in what it is planned by; the rest is the average tile's
+constexpr double kStride = 4;          // from worth to worth, until the one looked for is passed
+constexpr int kStrides = 64;           // at most
+constexpr int kBisections = 4;         // of a stride, by its logarithm
 
 /// The samples of each step.
 struct Ladder {
@@ -24,11 +23,12 @@ constexpr Ladder kLadder = [] {
     return ladder;
 }();
 
-/// What a round is planned by.
+/// What tiles are planned by.
 struct Outlook {
     double weights[kLadderSteps];
+    int gain;
+    double price_of_tile;    // of a pass before its first lobe ray, in lobe rays
     double variance_of_hit;  // of one mirror hit with one unit of weight, on average
-    double slowest, fastest;  // speeds at which the first tile and every tile gets a pass, the latter the largest one
 };
 
 /// The variance of a tile with one unit of weight, drawn a little to the average.
@@ -38,8 +38,14 @@ double unit_variance(const Outlook& outlook, const TileProgress& tile) {
 
 bool may_get_more(const TileProgress& tile) { return tile.hits > 0 && tile.samples < kMostSamples; }
 
-/// Also sets every tile's pace: with V = u / weight and weight = samples^g, the sum of V falls fastest for its rays
-/// where the tiles' weights are as (u / hits)^(g / (g + 1)). The power of 3/5 is made of square roots, as 5/8.
+/// x^(g / (g + 1)) for g = 1, and for g = 1.5, where the power of 3/5 is made of square roots, as 5/8.
+double pace_of(double x, int gain) {
+    const double root = square_root(x);
+    return gain == 8 ? root : root * square_root(square_root(root));
+}
+
+/// Also sets every tile's pace: with V = u / weight and weight = samples^g a unit of variance that is worth m lobe rays
+/// buys each tile the weight (m g u / hits)^(g / (g + 1)).
 Outlook outlook_of(const PlanHead& plan, const Accumulator& accumulator) {
     Outlook outlook{};
     const int count = tile_count(plan);
@@ -51,79 +57,103 @@ Outlook outlook_of(const PlanHead& plan, const Accumulator& accumulator) {
         hits += tile.hits;
         told_by_passes = told_by_passes || tile.deviations > 0;
     }
-    const int gain = gain_of(plan, told_by_passes);
-    for (int step = 0; step < kLadderSteps; ++step) outlook.weights[step] = weight_of(samples_of_step(step), gain);
+    outlook.gain = gain_of(plan, told_by_passes);
+    outlook.price_of_tile = kTilePixels * (rays_are_dear(plan) || told_by_passes ? kPriceOfGeneral : kPriceOfOneBounce);
+    outlook.price_of_tile *= plan.antialias;
+    for (int step = 0; step < kLadderSteps; ++step) {
+        outlook.weights[step] = weight_of(kLadder.samples[step], outlook.gain);
+    }
     outlook.variance_of_hit = hits > 0 ? variance / hits : 0;
-    const bool half = gain == 8;
-    const double largest = outlook.weights[kLadderSteps - 1];
-    outlook.slowest = kInfinity, outlook.fastest = 0;
     for (int i = 0; i < count; ++i) {
         TileProgress& tile = accumulator.tiles[i];
         tile.next = 0;
-        const double each = may_get_more(tile) ? unit_variance(outlook, tile) / tile.hits : 0;
-        const double root = square_root(each);
-        tile.pace = half ? root : root * square_root(square_root(square_root(each)));
-        if (tile.pace == 0) continue;
-        const double first = kWorthAPass * tile.weight / tile.pace;
-        const double last = (kWorthAPass * tile.weight + largest) / tile.pace;
-        outlook.slowest = first < outlook.slowest ? first : outlook.slowest;
-        outlook.fastest = last > outlook.fastest ? last : outlook.fastest;
+        tile.pace = may_get_more(tile) ? pace_of(unit_variance(outlook, tile) / tile.hits, outlook.gain) : 0;
     }
     return outlook;
 }
 
-/// The ladder's step that brings a tile to the weight pace * speed; -1 where that is not worth a pass.
-int step_for(const Outlook& outlook, const TileProgress& tile, double speed) {
-    const double wanted = tile.pace * speed;
-    if (tile.pace == 0 || wanted < kWorthAPass * tile.weight) return -1;
+/// A tile's next pass: its step of the ladder, -1 if there is none, and its variance then.
+struct Choice {
+    int step;
+    double variance;
+};
+
+/// What it should get where a unit of variance is worth so many lobe rays. `speed`: what its pace is to be taken times.
+Choice choice_for(const Outlook& outlook, const TileProgress& tile, double worth, double speed) {
+    Choice choice{-1, tile.variance};
+    const double wanted = tile.pace * speed - tile.weight;
+    if (tile.pace == 0 || wanted <= 0) return choice;
     const double most = kLargestStep * double(tile.samples);
     int step = 0;
-    while (step + 1 < kLadderSteps && outlook.weights[step] < wanted - tile.weight &&
-           kLadder.samples[step + 1] <= most) {
-        ++step;
-    }
+    while (step + 1 < kLadderSteps && outlook.weights[step] < wanted && kLadder.samples[step + 1] <= most) ++step;
     // The nearer of two: what one tile gets too little another one gets too much.
-    const double half_way = step > 0 ? (outlook.weights[step - 1] + outlook.weights[step]) / 2 : 0;
-    return wanted - tile.weight < half_way ? step - 1 : step;
+    if (step > 0 && wanted < (outlook.weights[step - 1] + outlook.weights[step]) / 2) --step;
+    const double unit = unit_variance(outlook, tile), then = unit / (tile.weight + outlook.weights[step]);
+    const double price = outlook.price_of_tile + tile.hits * kLadder.samples[step];
+    // What it brings has to be worth more than it costs.
+    if (worth * (unit / tile.weight - then) < price) return choice;
+    return {step, then < tile.variance ? then : tile.variance};
 }
 
-/// What a round at some speed would come to.
+/// What a round would come to.
 struct Forecast {
     double variance = 0, lobe_samples = 0;
 };
 
-Forecast forecast(const PlanHead& plan, const Accumulator& accumulator, const Outlook& outlook, double speed) {
+double speed_of(const Outlook& outlook, double worth) { return pace_of(worth * (outlook.gain / 8.0), outlook.gain); }
+
+Forecast forecast(const PlanHead& plan, const Accumulator& accumulator, const Outlook& outlook, double worth) {
     Forecast sum;
+    const double speed = speed_of(outlook, worth);
     const int count = tile_count(plan);
     for (int i = 0; i < count; ++i) {
         const TileProgress& tile = accumulator.tiles[i];
-        const int step = step_for(outlook, tile, speed);
-        if (step < 0) {
-            sum.variance += tile.variance;
-            continue;
-        }
-        const double then = unit_variance(outlook, tile) / (tile.weight + outlook.weights[step]);
-        sum.variance += then < tile.variance ? then : tile.variance;
-        sum.lobe_samples += tile.hits * kLadder.samples[step];
+        if (tile.hits == 0) continue;
+        const Choice choice = choice_for(outlook, tile, worth, speed);
+        sum.variance += choice.variance;
+        if (choice.step >= 0) sum.lobe_samples += tile.hits * kLadder.samples[choice.step];
     }
     return sum;
 }
 
-/// Gives the passes of the slowest speed that is `enough`, or of the fastest there is; false if these are none.
+/// The least worth whose round is `enough`, found from `start` on; the greatest there is where none is.
+template <class Enough>
+double least_worth(double start, const Enough& enough) {
+    double low = start, high = start;
+    if (enough(start)) {
+        for (int i = 0; i < kStrides && enough(low /= kStride); ++i) high = low;
+    } else {
+        for (int i = 0; i < kStrides && !enough(high *= kStride); ++i) low = high;
+    }
+    for (int i = 0; i < kBisections; ++i) {
+        const double middle = square_root(low) * square_root(high);
+        (enough(middle) ? high : low) = middle;
+    }
+    return high;
+}
+
+/// Gives the passes of the least worth that is `enough`, or of the greatest; false if these are none.
 template <class Enough>
 bool give_passes(const PlanHead& plan, const Accumulator& accumulator, const Enough& enough) {
     const Outlook outlook = outlook_of(plan, accumulator);
-    if (outlook.fastest == 0) return false;
-    double slow = outlook.slowest, fast = outlook.fastest;
-    for (int i = 0; i < kBisections; ++i) {
-        const double middle = square_root(slow) * square_root(fast);
-        (enough(forecast(plan, accumulator, outlook, middle)) ? fast : slow) = middle;
-    }
-    bool any = false;
     const int count = tile_count(plan);
+    // As if all that is known had been bought at one worth: not far from what is looked for.
+    double variance = 0, price = 0;
+    for (int i = 0; i < count; ++i) {
+        const TileProgress& tile = accumulator.tiles[i];
+        if (tile.pace == 0) continue;
+        variance += tile.variance;
+        price += outlook.price_of_tile + tile.hits * double(tile.samples);
+    }
+    if (variance == 0) return false;
+    const double worth = least_worth(price / variance, [&](double each) {
+        return enough(forecast(plan, accumulator, outlook, each));
+    });
+    const double speed = speed_of(outlook, worth);
+    bool any = false;
     for (int i = 0; i < count; ++i) {
         TileProgress& tile = accumulator.tiles[i];
-        const int step = step_for(outlook, tile, fast);
+        const int step = choice_for(outlook, tile, worth, speed).step;
         tile.next = step < 0 ? 0 : samples_of_step(step);
         any = any || step >= 0;
     }
@@ -134,7 +164,7 @@ bool give_passes(const PlanHead& plan, const Accumulator& accumulator, const Eno
 
 bool plan_round(const PlanHead& plan, const Accumulator& accumulator, double error) {
     const IeeeMode ieee;
-    const double variance = kMargin * error * error * values_of(plan);
+    const double variance = variance_for(plan, error);
     return give_passes(plan, accumulator, [&](const Forecast& then) { return then.variance <= variance; });
 }
 

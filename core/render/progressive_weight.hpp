@@ -29,7 +29,19 @@ inline double weight_of(double samples, int gain) {
     return weight;
 }
 
+constexpr double kLargestStep = 16;  // times the samples so far: an estimate from few samples must not decide all
+constexpr double kMargin = 0.85;     // of the variance asked for: some tiles are only lucky, and no table is exact
+
+/// What a pass costs a camera ray before its first lobe ray, in lobe rays: measured over the shipped scenes (README.md).
+constexpr double kPriceOfOneBounce = 16, kPriceOfGeneral = 2;
+
+/// Whether a lobe ray costs nearly as much as a pixel without.
+inline bool rays_are_dear(const PlanHead& plan) { return (plan.features & kNeedsGeneral) != 0; }
+
 /// Pixels times channels.
 inline double values_of(const PlanHead& plan) { return 3.0 * plan.width * plan.height; }
+
+/// Of all tiles together, for the estimate to become that error or a little less.
+inline double variance_for(const PlanHead& plan, double error) { return kMargin * error * error * values_of(plan); }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

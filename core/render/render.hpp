@@ -55,7 +55,8 @@ using DoubleTileFunction = void (*)(const DoublePlan& plan, const Tile& tile, co
                                     RayCounts& counts);
 
 /// How far apart the parts of the lobe rays lie, by pixel of a tile, row-major over the full tile side: the variance
-/// of the pixel's value, summed over its channels, if the parts were independent. 0 where no lobe ray is needed.
+/// of the pixel's value, summed over its channels, if the parts were independent. 0 where no lobe ray is needed, and
+/// beyond the picture's edge.
 struct TileSpread {
     float variance[kTilePixels];
     alignas(64) float parts[4][kSpreadParts * kTilePixels];  // working memory of the kernels

@@ -23,19 +23,22 @@ struct PartSums {
     Rgb<R> part[kSpreadParts];
 };
 
-/// The variance of the whole if the parts were independent, summed over the channels. Each counts for a fourth of it.
+/// The variance of `tint` times the whole if the parts were independent, summed over the channels. Each counts for a
+/// fourth of it.
 template <class R>
-ZERKALO_INLINE R variance_of(const PartSums<R>& sums) {
+ZERKALO_INLINE R variance_of(const PartSums<R>& sums, const Rgb<R>& tint) {
     Rgb<R> mean = sums.part[0];
     for (int k = 1; k < kSpreadParts; ++k) mean = mean + sums.part[k];
     mean = scaled(mean, R(1.0f / kSpreadParts));
-    R squares = R(0);
-    for (int k = 0; k < kSpreadParts; ++k) {
+    const Rgb<R> first = sums.part[0] - mean;
+    Rgb<R> squares = first * first;
+    for (int k = 1; k < kSpreadParts; ++k) {
         const Rgb<R> off = sums.part[k] - mean;
-        squares = squares + (off.r * off.r + off.g * off.g + off.b * off.b);
+        squares = squares + off * off;
     }
+    squares = squares * (tint * tint);
     // m_k is R times its part's sum.
-    return squares * R(float(kSpreadParts) / float(kSpreadParts - 1));
+    return (squares.r + squares.g + squares.b) * R(float(kSpreadParts) / float(kSpreadParts - 1));
 }
 
 /// Before the first camera ray. The working memory is cleared where it is used.
@@ -76,7 +79,7 @@ ZERKALO_INLINE void add_variance(TileSpread& spread, int first, const PlanHead& 
         PartSums<R> equal;
         for (int k = 0; k < kSpreadParts; ++k) equal.part[k] = scaled(parts.part[k], R(plan.part_scale[k]));
         float* out = spread.variance + first;
-        store(out, load<R>(out) + variance_of<R>(equal));
+        store(out, load<R>(out) + variance_of<R>(equal, {R(1), R(1), R(1)}));
     }
 }
 

@@ -52,7 +52,7 @@ class Refine(CommandLineTest):
         self.report("--samples", "8192")
         limit = self.pixels()
         last_rays, last_distance = 0, 1
-        for error in "0.003", "0.001", "0.0004":
+        for error in "0.003", "0.001", "0.0002":
             report = self.report("--error", error)
             distance = self.distance(limit)
             self.assertGreater(report["rays"]["lobe"], last_rays, error)

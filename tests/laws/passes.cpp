@@ -28,7 +28,7 @@ void PassesOf<AnyPlan>::run(const Pass& pass, const Wanted& wanted) {
     const int count = tile_count(*plan_);
     for (int i = 0; i < count; ++i) {
         const int tile = backwards_ ? count - 1 - i : i;
-        if (wanted(tiles_[static_cast<std::size_t>(tile)])) {
+        if (wanted(tile, tiles_[static_cast<std::size_t>(tile)])) {
             add_pass(*plan_, kernel_, tile, accumulator(), picture_.rays);
         }
     }
@@ -43,7 +43,7 @@ void PassesOf<AnyPlan>::resume(const PassesOf& other) {
 template <class AnyPlan>
 const Image& PassesOf<AnyPlan>::single(std::int32_t samples) {
     tiles_.assign(tiles_.size(), {});
-    run({samples, rotation_, true}, [](const TileProgress&) { return true; });
+    run({samples, rotation_, true}, [](int, const TileProgress&) { return true; });
     return picture_;
 }
 
@@ -52,7 +52,7 @@ void PassesOf<AnyPlan>::survey_pass(int number) {
     if (number == 0) {
         single(kernel_.survey_samples());
     } else {
-        run({kernel_.survey_samples(), ++rotation_}, [](const TileProgress& tile) { return tile.next > 0; });
+        run({kernel_.survey_samples(), ++rotation_}, [](int, const TileProgress& tile) { return tile.next > 0; });
     }
 }
 
@@ -62,17 +62,25 @@ void PassesOf<AnyPlan>::survey() {
 }
 
 template <class AnyPlan>
+void PassesOf<AnyPlan>::first(int group, double error) {
+    if (group == 0) tiles_.assign(tiles_.size(), {});
+    run({samples_of_first(error), rotation_, true},
+        [&](int tile, const TileProgress&) { return first_group(*plan_, tile) == group; });
+}
+
+template <class AnyPlan>
 void PassesOf<AnyPlan>::round() {
     ++rotation_;
     for (int step = 0; step < kLadderSteps; ++step) {
         const std::int32_t samples = samples_of_step(step);
-        run({samples, rotation_}, [&](const TileProgress& tile) { return tile.next == samples; });
+        run({samples, rotation_}, [&](int, const TileProgress& tile) { return tile.next == samples; });
     }
 }
 
 template <class AnyPlan>
 double PassesOf<AnyPlan>::refine(double error) {
-    survey();
+    if (!tells()) survey();
+    for (int group = 0; tells() && group < kFirstGroups; ++group) first(group, error);
     while (estimate() > error && plan(error)) round();
     return estimate();
 }

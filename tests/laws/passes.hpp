@@ -28,10 +28,14 @@ public:
     void survey();
     /// Pass `number` of those that are the survey.
     void survey_pass(int number);
+    /// The first passes for an error of a group of tiles, where passes tell it themselves.
+    void first(int group, double error);
+    /// And the samples that they would have.
+    std::int32_t samples_of_first(double error) { return first_samples(*plan_, accumulator(), error); }
     bool plan(double error) { return plan_round(*plan_, accumulator(), error); }
     void round();
 
-    /// Survey and rounds until the estimate is at most `error`, which is returned.
+    /// The survey for an error and rounds until the estimate is at most that; it is returned.
     double refine(double error);
 
     /// Whether a pass alone tells its error.
@@ -44,6 +48,7 @@ public:
 
 private:
     Accumulator accumulator() { return {picture_.view(), variances_.data(), tiles_.data()}; }
+    /// Of the tiles with wanted(number, progress).
     template <class Wanted>
     void run(const Pass& pass, const Wanted& wanted);
 

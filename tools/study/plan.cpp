@@ -7,6 +7,7 @@
 #include "tools/zerkalo/messages.hpp"
 #include "tools/zerkalo/scene_input.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -96,6 +97,7 @@ std::string text_of(const StudyPlan& plan) {
     text += "numbers " + joined(wish.numbers, [](Number number) { return name_of(number); }) + "\n";
     text += "estimators " + joined(wish.estimators, [](Estimator e) { return zerkalo::name_of(e); }) + "\n";
     text += "samples " + joined(wish.samples, whole) + "\nfixed_samples " + joined(wish.fixed_samples, whole) + "\n";
+    text += "fibonacci_samples " + joined(wish.fibonacci_samples, whole) + "\n";
     text += "antialias " + joined(wish.antialias, whole) + "\nerrors " + joined(wish.errors, csv_number) + "\n";
     text += format("rotations %d\nreference_samples %d\n", wish.rotations, wish.reference_samples);
     for (const PlannedScene& scene : plan.scenes) {
@@ -110,6 +112,15 @@ bool is_lattice(Estimator estimator) {
     return estimator == Estimator::fibonacci || estimator == Estimator::fibonacci_coverage;
 }
 
+std::vector<std::int32_t> samples_of(const Wish& wish, Number number, Estimator estimator) {
+    if (number == Number::fixed) return wish.fixed_samples;
+    std::vector<std::int32_t> samples = wish.samples;
+    if (estimator != Estimator::fibonacci || wish.fibonacci_samples.empty()) return samples;
+    samples.insert(samples.end(), wish.fibonacci_samples.begin(), wish.fibonacci_samples.end());
+    std::sort(samples.begin(), samples.end());
+    return samples;
+}
+
 void add_rows(StudyPlan& plan, int scene, Number number) {
     const Wish& wish = plan.wish;
     const PlannedScene& planned = plan.scenes[static_cast<std::size_t>(scene)];
@@ -121,7 +132,7 @@ void add_rows(StudyPlan& plan, int scene, Number number) {
             continue;
         }
         for (const std::int32_t antialias : wish.antialias) {
-            for (const std::int32_t samples : number == Number::fixed ? wish.fixed_samples : wish.samples) {
+            for (const std::int32_t samples : samples_of(wish, number, estimator)) {
                 plan.rows.push_back({scene, number, estimator, samples, antialias, 0});
             }
             if (number != Number::floating || !is_lattice(estimator)) continue;
@@ -146,6 +157,7 @@ Wish full_wish() {
     Wish wish = wish_for({160, 120});
     wish.samples = {1, 2, 4, 8, 16, 32, 64, 128, 256};
     wish.fixed_samples = {1, 4, 16, 64};
+    wish.fibonacci_samples = {3, 6, 12, 24, 48};
     return wish;
 }
 

@@ -16,6 +16,7 @@ struct Wish {
     std::vector<Estimator> estimators;
     std::vector<Number> numbers;
     std::vector<std::int32_t> samples, fixed_samples, antialias;
+    std::vector<std::int32_t> fibonacci_samples;  // of fibonacci in float beside `samples`: what errors are compared with
     std::vector<double> errors;  // to be reached by `render --error`: in float, by the lattices
     std::int32_t rotations = 32;
     std::int32_t reference_samples = 65536;

@@ -1,5 +1,6 @@
-// zerkalo bench: nanoseconds per ray for each solid, the shadow ray, the mirror, the lobe sample, a tile and a frame,
-// by instruction set. Google Benchmark repeats and reports; only the kernels' time is measured.
+// zerkalo bench: nanoseconds per ray for each solid, the shadow ray, the mirror, the lobe sample, a tile, a frame and a
+// pass over it, by instruction set. Google Benchmark repeats and reports; only the kernels' time is measured.
+#include "core/render/progressive.hpp"
 #include "tools/zerkalo/bench_scenes.hpp"
 #include "tools/zerkalo/commands.hpp"
 #include "tools/zerkalo/frame.hpp"
@@ -61,7 +62,39 @@ int tile_in_the_middle(const PlanHead& plan) {
     return rows / 2 * columns + columns / 2;
 }
 
-enum class Extent { tile, frame };
+// Adds a later pass to the tiles that have lobe rays, over and over.
+void measure_pass(benchmark::State& state, const Frame& frame, std::int32_t samples) {
+    Plan& plan = *frame.plan;
+    std::vector<TileProgress> tiles(static_cast<std::size_t>(tile_count(plan)));
+    const Accumulator accumulator{frame.image, nullptr, tiles.data()};
+    const PassKernel<FloatFormats> kernel = pass_kernel_for(plan, frame.isa);
+    RayCounts rays;
+    frame.begin({kernel.survey_samples(), 0, true});
+    double hits = 0;
+    std::vector<int> with_lobe_rays;
+    for (int tile = 0; tile < tile_count(plan); ++tile) {
+        add_pass(plan, kernel, tile, accumulator, rays);
+        const double of_tile = tiles[static_cast<std::size_t>(tile)].hits;
+        if (of_tile > 0) with_lobe_rays.push_back(tile);
+        hits += of_tile;
+    }
+    if (hits == 0) {
+        state.SkipWithError("this scene sends no such ray");
+        return;
+    }
+    frame.begin({samples, 1});
+    rays = {};
+    const double start = cpu_nanoseconds();
+    for ([[maybe_unused]] const auto iteration : state) {
+        for (const int tile : with_lobe_rays) add_pass(plan, kernel, tile, accumulator, rays);
+    }
+    const double nanoseconds = cpu_nanoseconds() - start, passes = static_cast<double>(state.iterations());
+    state.counters["ns/hit"] = nanoseconds / passes / hits;
+    state.counters["pixels/hit"] = static_cast<double>(rays.primary) / passes / hits;
+    state.counters["lanes"] = frame.lanes;
+}
+
+enum class Extent { tile, frame, pass };
 
 struct Entry {
     std::string name;
@@ -77,6 +110,7 @@ void run_entry(benchmark::State& state, const Entry& entry) {
     Settings settings;
     settings.samples = entry.samples;
     const Frame frame = prepare_frame(*entry.scene, settings, entry.isa, 1, entry.number);
+    if (entry.extent == Extent::pass) return measure_pass(state, frame, entry.samples);
     const int tiles = tile_count(frame.head());
     const bool one_tile = entry.extent == Extent::tile;
     // The tile in the middle of the picture, which shows more than background in most scenes.
@@ -106,6 +140,10 @@ void add_frames(std::vector<Entry>& entries, Isa isa, const std::shared_ptr<cons
         const std::string end = "/samples:" + std::to_string(samples) + "/" + name_of(isa);
         entries.push_back({"tile" + end, isa, scene, samples, total_of, Extent::tile});
         entries.push_back({"frame" + end, isa, scene, samples, total_of, Extent::frame});
+    }
+    for (const int samples : {4, 32}) {
+        const std::string name = "pass/samples:" + std::to_string(samples) + "/" + name_of(isa);
+        entries.push_back({name, isa, scene, samples, lobe_rays, Extent::pass});
     }
 }
 

@@ -51,6 +51,20 @@ public:
         }
     }
 
+    /// The survey for an error: of tiles that tell it themselves the first ones say how many samples the others need.
+    void survey(double error) {
+        if (!kernel_.spread) return survey();
+        std::vector<int> of_group[kFirstGroups];
+        for (std::size_t i = 0; i < tiles_.size(); ++i) {
+            const int tile = static_cast<int>(i);
+            of_group[first_group(plan(), tile)].push_back(tile);
+        }
+        const std::int32_t rotation = next_rotation();
+        for (const std::vector<int>& tiles : of_group) {
+            run({first_samples(plan(), accumulator_, error), rotation, true}, tiles, false);
+        }
+    }
+
     /// The passes that the tiles have been given; what is out of time is left out.
     void round() {
         const std::int32_t rotation = next_rotation();
@@ -143,7 +157,7 @@ private:
 
 template <class AnyPlan>
 Refined to_error(Refinement<AnyPlan>& work, double error) {
-    work.survey();
+    work.survey(error);
     bool reached = true;
     while (reached && work.estimated() > error) {
         reached = !work.out_of_time() && plan_round(work.plan(), work.accumulator(), error);

@@ -46,7 +46,10 @@ Wish wish_of(const CommandOptions& options) {
     Wish wish = options.quick ? study::quick_wish() : study::full_wish();
     wish.scenes = options.scenes;
     if (options.size.width > 0) wish.size = {options.size.width, options.size.height};
-    if (!options.samples.empty()) wish.samples = wish.fixed_samples = without_repeats(options.samples);
+    if (!options.samples.empty()) {
+        wish.samples = wish.fixed_samples = without_repeats(options.samples);
+        wish.fibonacci_samples.clear();
+    }
     if (!options.antialias.empty()) wish.antialias = without_repeats(options.antialias);
     if (!options.errors.empty()) wish.errors = without_repeats(options.errors);
     if (options.rotations > 0) wish.rotations = options.rotations;
