@@ -88,7 +88,7 @@ ZERKALO_INLINE Quads one_minus_exp2_of(Quads e) {
 
 template <class A, class B, Format FN>
     requires InVectors<A, B>
-ZERKALO_ONCE auto power_of_one_minus(const Fixed<A, 61>& x, const Fixed<B, FN>& n) {
+ZERKALO_ONCE auto power_of_one_minus(Fixed<A, 61> x, Fixed<B, FN> n) {
     return fixed_of<60>(each_part(
         [](Quads a, Quads b) ZERKALO_INLINE_LAMBDA {
             const Quads y = kOne60 - Quads(UnsignedQuads(a + 1) >> 1);

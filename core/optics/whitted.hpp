@@ -43,27 +43,25 @@ ZERKALO_INLINE auto inverse_square(Fixed<A, F> distance) {
 }
 
 /// Whether a highlight of exponent n counts in some lane: where x = 1 - R.V is less than 1 and than limit / n. No
-/// picture depends on a yes too many.
+/// picture depends on a yes too many: packets in vector registers ask in float, the others not at all.
 template <class R>
-ZERKALO_INLINE bool may_shine(const ToLight<R>&, const Vec3<Direction<R>>&, const Vec3<Direction<R>>&,
-                              Exponent<Uniform<R>>, Exponent<Uniform<R>>, const Mask<R>&) {
+ZERKALO_INLINE bool may_shine([[maybe_unused]] const ToLight<R>& to, [[maybe_unused]] const Vec3<Direction<R>>& n,
+                              [[maybe_unused]] const Vec3<Direction<R>>& v,
+                              [[maybe_unused]] Exponent<Uniform<R>> limit,
+                              [[maybe_unused]] Exponent<Uniform<R>> shininess, [[maybe_unused]] const Mask<R>& lit) {
+#if defined(ZERKALO_INT_VECTORS)
+    if constexpr (IntLaneTraits<Mask<R>>::kInVectors) {
+        // Room for the rounding of unit vectors and their products; R.V = 2 (N.L)(N.V) - L.V.
+        constexpr float kRoom = 0x1p-16f;
+        const float own_reach = float(limit.raw) / float(shininess.raw), reach = own_reach < 1 ? own_reach : 1;
+        const Floats x = floats_of(v.x), y = floats_of(v.y), z = floats_of(v.z), n_dot_l = floats_of(to.n_dot_l);
+        const Floats n_dot_v = floats_of(n.x) * x + floats_of(n.y) * y + floats_of(n.z) * z;
+        const Floats l_dot_v = floats_of(to.l.x) * x + floats_of(to.l.y) * y + floats_of(to.l.z) * z;
+        return signs_of(lit.v & Words((n_dot_l + n_dot_l) * n_dot_v - l_dot_v > 1 - kRoom - reach)) != 0;
+    }
+#endif
     return true;
 }
-#if defined(ZERKALO_INT_VECTORS)
-/// Packets in vector registers ask in float: R.V = 2 (N.L)(N.V) - L.V.
-template <class R>
-    requires(IntLaneTraits<Mask<R>>::kInVectors)
-ZERKALO_INLINE bool may_shine(const ToLight<R>& to, const Vec3<Direction<R>>& n, const Vec3<Direction<R>>& v,
-                              Exponent<Uniform<R>> limit, Exponent<Uniform<R>> shininess, const Mask<R>& lit) {
-    // Room for the rounding of unit vectors and their products.
-    constexpr float kRoom = 0x1p-16f;
-    const float own_reach = float(limit.raw) / float(shininess.raw), reach = own_reach < 1 ? own_reach : 1;
-    const Floats x = floats_of(v.x), y = floats_of(v.y), z = floats_of(v.z), n_dot_l = floats_of(to.n_dot_l);
-    const Floats n_dot_v = floats_of(n.x) * x + floats_of(n.y) * y + floats_of(n.z) * z;
-    const Floats l_dot_v = floats_of(to.l.x) * x + floats_of(to.l.y) * y + floats_of(to.l.z) * z;
-    return signs_of(lit.v & Words((n_dot_l + n_dot_l) * n_dot_v - l_dot_v > 1 - kRoom - reach)) != 0;
-}
-#endif
 
 /// What one visible light adds. v: unit, towards the viewer. Lanes outside `lit` are meaningless.
 template <class F, class R>

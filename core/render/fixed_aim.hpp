@@ -18,8 +18,11 @@ constexpr std::int32_t count_of_rays(RayMask rays) {
 }
 constexpr RayMask first_rays(std::int32_t count) { return count < kRayChunk ? (RayMask{1} << count) - 1 : ~RayMask{0}; }
 
-constexpr int kMostAimed = 6;
-constexpr int kHoistedSlabs = 16;
+// Sixteen lanes of them take as much stack as there is.
+template <class R>
+constexpr int kMostAimed = kWidth<R> > 8 ? 4 : 8;
+template <class R>
+constexpr int kHoistedSlabs = kWidth<R> > 8 ? 12 : 16;
 
 /// A solid that some rays may meet from some pixels, and what its intersections owe to the origins.
 template <class R>
@@ -35,8 +38,8 @@ struct AimedSolid {
 template <class R>
 struct LobeAim {
     Vec3<Length<R>> o;
-    AimedSolid<R> solids[kMostAimed];
-    SlabOrigin<System<R>> slabs[kHoistedSlabs];
+    AimedSolid<R> solids[kMostAimed<R>];
+    SlabOrigin<System<R>> slabs[kHoistedSlabs<R>];
     std::int32_t count, used_slabs;
     RayMask rays;  // that may meet any of them
 };
@@ -123,7 +126,7 @@ ZERKALO_INLINE void hoist(AimedSolid<R>& aimed, LobeAim<R>& aim, const PlanFor<R
         aimed.from = seen.f, aimed.c = seen.c;
     } else if (solid.shape == ShapeKind::tube) {
         aimed.from = tube_seen_from<N>(solid.tube, aim.o);
-    } else if (aim.used_slabs + solid.half_spaces.slab_count <= kHoistedSlabs) {
+    } else if (aim.used_slabs + solid.half_spaces.slab_count <= kHoistedSlabs<R>) {
         aimed.first_slab = aim.used_slabs;
         const auto* slabs = plan.slabs + solid.half_spaces.first_slab;
         const Vec3<Length<R>> o = aim.o - solid.half_spaces.centre;
@@ -147,7 +150,7 @@ ZERKALO_ONCE bool aim_lobes(LobeAim<R>& aim, const PlanFor<R>& plan, CandidateMa
         const int k = first_of(left);
         const RayMask rays = rays_to_solid<R>(plan, plan.solids[k], chunk, count, pilot, o, m, base);
         if (rays == 0) continue;
-        if (aim.count == kMostAimed) return false;
+        if (aim.count == kMostAimed<R>) return false;
         AimedSolid<R>& aimed = aim.solids[aim.count++];
         aimed.rays = rays;
         aimed.k = k;

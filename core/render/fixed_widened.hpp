@@ -65,6 +65,7 @@ ZERKALO_INLINE Direction<R> load_directions(const std::int32_t* source) {
 }
 #if defined(ZERKALO_INT_VECTORS)
 template <class R>
+    requires(!Formats<AimNumbers<R>>::kFixed)
 ZERKALO_INLINE Real<kVectorWidth> load_directions(const std::int32_t* source) {
     static_assert(Direction<R>::kFraction == 30);
     Words raw;

@@ -158,22 +158,19 @@ ZERKALO_INLINE Mask<R> may_meet(const SolidPlanFor<R>& solid, Vec3<Fixed<A, Leng
 template <class R>
 ZERKALO_INLINE bool any_may_meet(const SolidPlanFor<R>& solid, Vec3<Length<Uniform<R>>> o, const Vec3<Direction<R>>& d,
                                  const Mask<R>& active) {
+#if defined(ZERKALO_INT_VECTORS)
+    if constexpr (IntLaneTraits<Mask<R>>::kInVectors) {
+        // Room for the rounding of squares of lengths up to 15.
+        constexpr float kRoom = 0x1p-10f;
+        const auto f = fitting_difference(o, solid.bound_centre);
+        const float x = float_of(f.x), y = float_of(f.y), z = float_of(f.z), r = float_of(solid.bound_radius);
+        const float beyond = x * x + y * y + z * z - r * r - kRoom;
+        const Floats along = floats_of(d.x) * x + floats_of(d.y) * y + floats_of(d.z) * z;
+        return signs_of(active.v & Words(along * along >= beyond)) != 0;
+    }
+#endif
     return any(may_meet<R>(solid, o, d, active));
 }
-#if defined(ZERKALO_INT_VECTORS)
-template <class R>
-    requires(IntLaneTraits<Mask<R>>::kInVectors)
-ZERKALO_INLINE bool any_may_meet(const SolidPlanFor<R>& solid, Vec3<Length<Uniform<R>>> o,
-                                 const Vec3<Direction<R>>& d, const Mask<R>& active) {
-    // Room for the rounding of squares of lengths up to 15.
-    constexpr float kRoom = 0x1p-10f;
-    const auto f = fitting_difference(o, solid.bound_centre);
-    const float x = float_of(f.x), y = float_of(f.y), z = float_of(f.z), r = float_of(solid.bound_radius);
-    const float beyond = x * x + y * y + z * z - r * r - kRoom;
-    const Floats along = floats_of(d.x) * x + floats_of(d.y) * y + floats_of(d.z) * z;
-    return signs_of(active.v & Words(along * along >= beyond)) != 0;
-}
-#endif
 
 /// n, turned against d. At exactly 0 either side is right.
 template <class R>
