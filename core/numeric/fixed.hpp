@@ -121,20 +121,27 @@ ZERKALO_INLINE constexpr To as(Fixed<A, F> value) {
     }
 }
 
-/// The same of a number that fits: a checked build watches that it does.
+/// The same of a number that fits: a checked build watches that it does. Of several lanes some do not count and may hold
+/// anything: those are held.
 template <class To, class A, Format F>
 ZERKALO_INLINE constexpr To rounded(Fixed<A, F> value) {
-    using T = typename To::Element;
-    constexpr int kShift = F.fraction - To::kFraction;
-    static_assert(kShift > 0);
-    return with_format<To::kFormat>(
-        each_lane([](std::int64_t x) { return rounded_shift<T, kShift>(x); }, value.raw));
+    if constexpr (kLanesOf<A> > 1) {
+        return as<To>(value);
+    } else {
+        using T = typename To::Element;
+        constexpr int kShift = F.fraction - To::kFraction;
+        static_assert(kShift > 0);
+        return To::from_raw(rounded_shift<T, kShift>(value.raw));
+    }
 }
 template <class A, class B, Format F>
     requires SameElement<A, B>
 [[gnu::const]] ZERKALO_INLINE constexpr auto fitting_sum(Fixed<A, F> a, Fixed<B, F> b) {
-    using T = LaneElement<A>;
-    return with_format<F>(each_lane([](T x, T y) { return checked_sum<T>(x, y, "a sum"); }, a.raw, b.raw));
+    if constexpr (kLanesOf<A> > 1 || kLanesOf<B> > 1) {
+        return a + b;
+    } else {
+        return with_format<F>(checked_sum<LaneElement<A>>(a.raw, b.raw, "a sum"));
+    }
 }
 template <class A, class B, Format F>
     requires SameElement<A, B>

@@ -41,10 +41,9 @@ ZERKALO_INLINE Span<N> span_of_sphere(B b, C c, D disc) {
 template <class N, class S, class M>
 ZERKALO_INLINE Span<N> sphere_span(const S& sphere, const SphereOrigin<M>& from, Vec3<Direction<N>> d) {
     using L = Length<N>;
-    const auto b = rounded<L>(dot(from.f, d));
-    const auto l = fitting_difference(from.f, rounded<L>(d * b));
-    const auto disc = fitting_difference(sphere.radius2, dot_of_ways(l, l));
-    return span_of_sphere<N>(b, as<Area<N>>(from.c), as<Area<N>>(disc));
+    const auto b = as<L>(dot(from.f, d));
+    const auto l = from.f - as<L>(d * b);
+    return span_of_sphere<N>(b, as<Area<N>>(from.c), as<Area<N>>(sphere.radius2 - dot(l, l)));
 }
 
 /// The same from inside or close to the surface, with c good to its last digit: there b^2 - c keeps what r^2 - l.l
