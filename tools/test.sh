@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Every test, on a bare Debian 12 too: installs what is missing, then builds and tests for this machine (preset release),
-# for 64-bit ARM under emulation (preset aarch64; there without the tests of the oracle, which is no part of zerkalo), and
+# for 64-bit ARM under emulation (preset aarch64; there without the tests of the oracle, which is no part of zerkalo, and
+# without three that average thousands of pictures, whose bytes are those of this machine), and
 # for this machine again with the address and undefined behaviour sanitizers (preset asan-ubsan; without the proofs about
 # objects and sources, which have builds of their own).
 # The last line is the total: "N passed, N failed".
