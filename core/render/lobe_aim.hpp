@@ -6,7 +6,7 @@
 
 namespace zerkalo::inline ZERKALO_ISA {
 
-constexpr int kHoistedTerms = 44;  // lanes of origin terms that are kept; a solid without room computes its own
+constexpr int kHoistedTerms = 28;  // lanes of origin terms that are kept; a solid without room computes its own
 
 /// A solid that some pixels of a class can meet.
 template <class R>
@@ -25,8 +25,8 @@ struct GroupAim {
 
 template <class R>
 struct LobeCandidate {
-    std::uint64_t reach;
     Mask<R> allowed;
+    std::uint64_t reach;
     const SolidPlan* solid;
     const R* terms;  // its origin terms, or null
     std::int32_t k;

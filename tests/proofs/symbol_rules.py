@@ -74,6 +74,11 @@ def state_violations(found, nm, objdump):
     return violations
 
 
+def instruction_set(kernel):
+    """Kernels in float and in fixed point of one instruction set have the same flags; None is no kernel."""
+    return kernel and kernel.removeprefix("fixed_").removesuffix("_general")
+
+
 def merge_violations(found, nm, objdump):
     """Mergeable symbols that a kernel's object shares with any object built for another instruction set.
 
@@ -86,7 +91,7 @@ def merge_violations(found, nm, objdump):
                 owners.setdefault(symbol.name, []).append(an_object)
     violations = [f"{name}: mergeable, defined in " + " and ".join(owner.label for owner in having)
                   for name, having in sorted(owners.items())
-                  if len({owner.kernel for owner in having}) > 1]
+                  if len({instruction_set(owner.kernel) for owner in having}) > 1]
     if len({an_object.kernel for an_object in found} - {None}) == 0:
         violations.append("no object of a kernel found (a target or a source named kernel_<isa>)")
     return violations
