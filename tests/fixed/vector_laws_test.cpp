@@ -22,7 +22,7 @@ void PrintTo(const NamedLaws& named, std::ostream* out) { *out << named.lanes; }
 class VectorLanes : public testing::TestWithParam<NamedLaws> {};
 
 TEST_P(VectorLanes, GiveTheIntegersOfOneLane) {
-    if (!available(GetParam().isa)) GTEST_SKIP() << "not on this processor";
+    if (!available(GetParam().isa)) GTEST_SKIP() << "this CPU lacks " << name_of(GetParam().isa);
     const VectorLaws& laws = GetParam().laws;
     for (int i = 0; i < laws.count; ++i) {
         const auto seed = static_cast<std::uint64_t>(i) * 7919 + 1;
