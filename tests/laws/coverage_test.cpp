@@ -6,7 +6,7 @@ namespace {
 
 void expect_same_limit(const Scene& scene, const std::string& what) {
     // What the integrals and the plain lattice of so many rays may leave.
-    constexpr double kMean = 4.5e-4, kWorst = 3e-3;
+    constexpr double kMean = 4e-4, kWorst = 3e-3;
     constexpr std::int32_t kRays = 4096;
     const Image wanted = render(scene, plain(16, kRays)), got = render(scene, covered(16, kRays));
     EXPECT_GT(got.rays.covered, 10u) << what;
