@@ -94,6 +94,11 @@ ZERKALO_INLINE A plus_where(M mask, A a, A b) {
     return select(mask, a + b, a);
 }
 
+template <class M, class A>
+ZERKALO_INLINE Rgb<A> plus_where(M mask, Rgb<A> a, Rgb<A> b) {
+    return {plus_where(mask, a.r, b.r), plus_where(mask, a.g, b.g), plus_where(mask, a.b, b.b)};
+}
+
 /// A uniform vector, the same in all lanes.
 template <class R, class U>
 ZERKALO_INLINE Vec3<R> spread(Vec3<U> a) {

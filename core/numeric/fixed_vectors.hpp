@@ -270,6 +270,13 @@ ZERKALO_INLINE Fixed<A, F> plus_where(VectorMask mask, Fixed<A, F> a, Fixed<A, F
 
 template <class A, Format F>
     requires InVectors<A> && SingleWord<A>
+ZERKALO_INLINE Fixed<A, F> plus_where(VectorMask mask, Fixed<A, F> a, Fixed<A, F> b) {
+    const Words sum = Words(UnsignedWords(a.raw.v) + UnsignedWords(b.raw.v & mask.v));
+    return fixed_of<F>(where_negative(sum, all_words(kMostWord), sum));
+}
+
+template <class A, Format F>
+    requires InVectors<A> && SingleWord<A>
 ZERKALO_INLINE Fixed<A, F> times(Fixed<A, F> a, std::int32_t n) {
     return fixed_of<F>(a.raw.v * n);
 }

@@ -77,6 +77,10 @@ struct StoredMaskOf { using type = Mask<R>; };
 template <class R>
 using StoredMask = typename StoredMaskOf<R>::type;
 
+/// The system in which lengths are compared before they are rounded: N itself, or where that pays one of its own.
+template <class N>
+struct UnroundedOf { using type = N; };
+
 template <class N>
 using Formats = typename System<N>::Formats;
 template <class N>

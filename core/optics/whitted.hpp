@@ -86,7 +86,8 @@ ZERKALO_INLINE Rgb<Radiance<R>> light_share(const LightDataOf<F>& light, const T
             share = share + rounded<W>(scaled(spread<W>(surface.specular), highlight));
         }
     }
-    const auto arriving = as<Radiance<R>>(spread<Radiance<R>>(light.power) * share);
+    // Lights together have half of the range at most (render/fit.hpp), and shares are below 2.
+    const auto arriving = rounded<Radiance<R>>(spread<Radiance<R>>(light.power) * share);
     if (!light.inverse_square) return arriving;
     // A light on the surface itself: a large number instead of infinity, so that zero stays zero.
     const auto falloff = min(inverse_square(to.distance), Inverse<R>(light.falloff_limit));

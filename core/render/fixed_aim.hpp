@@ -1,8 +1,8 @@
-// Which rays of a lobe can meet which solids, for a packet of pixels of one lattice class in fixed point.
+// Which rays of a lobe can meet which solids, for a tile's pixels of one lattice class in fixed point.
 //
 // The pixels share the directions of their rays in the lobe's own frame, where a solid's bounding ball looks nearly the
 // same from each of them. So the ball as the first pixel sees it, widened by how far it strays for the others, is asked
-// once for all: with rays in the lanes. What an intersection owes to the origin alone is computed here too.
+// once for all: with rays in the lanes. What an intersection owes to the origins of a packet is computed here too.
 #pragma once
 
 #include "core/render/fixed_widened.hpp"
@@ -34,7 +34,24 @@ struct AimedSolid {
     Area<R> c;
 };
 
-/// The solids that the lobes of a packet can meet.
+/// What the lobes of a packet share.
+template <class R>
+struct PacketLobes {
+    Vec3<Length<R>> o;
+    Vec3<Direction<R>> m;
+    Tangents<Direction<R>> base;
+    Mask<R> active;
+};
+
+/// The lobes of a class.
+template <class R>
+struct ClassLobes {
+    static constexpr int kMostPackets = kTilePixels / kLatticeClasses / kWidth<R>;
+    PacketLobes<R> packets[kMostPackets];
+    int count;
+};
+
+/// The solids that the lobes of a class can meet, and what one packet of them needs to ask.
 template <class R>
 struct LobeAim {
     Vec3<Length<R>> o;
@@ -81,31 +98,42 @@ ZERKALO_INLINE auto first_lane_of(const Vec3<L>& v) {
 }
 
 template <class R>
-ZERKALO_INLINE LobePilot<R> pilot_of(Vec3<Length<R>> o, Vec3<Direction<R>> m, const Tangents<Direction<R>>& base) {
+ZERKALO_INLINE LobePilot<R> pilot_of(const ClassLobes<R>& lobes) {
     using D = Direction<R>;
     using L = Length<R>;
-    LobePilot<R> pilot{first_lane_of(o), first_lane_of(m), first_lane_of(base.t), first_lane_of(base.b), {}};
+    const PacketLobes<R>& first = lobes.packets[0];
+    LobePilot<R> pilot{first_lane_of(first.o), first_lane_of(first.m), first_lane_of(first.base.t),
+                       first_lane_of(first.base.b), {}};
     const auto away = [](const Vec3<D>& v, const auto& from) ZERKALO_INLINE_LAMBDA {
         const auto off = as<L>(v - spread<D>(from));
         return dot(off, off);
     };
-    const Area<R> sum = away(m, pilot.m) + away(base.t, pilot.t) + away(base.b, pilot.b);
-    pilot.turning = root<Length<Uniform<R>>>(largest_lane_of(sum)) + Length<Uniform<R>>::from_raw(kFewSteps);
+    Area<R> most(0);
+    for (int p = 0; p < lobes.count; ++p) {
+        const PacketLobes<R>& own = lobes.packets[p];
+        most = max(most, Area<R>(away(own.m, pilot.m) + away(own.base.t, pilot.t) + away(own.base.b, pilot.b)));
+    }
+    pilot.turning = root<Length<Uniform<R>>>(largest_lane_of(most)) + Length<Uniform<R>>::from_raw(kFewSteps);
     return pilot;
 }
 
 /// Rays of the chunk that may meet the solid from some pixel. Conservative.
 template <class R>
 ZERKALO_INLINE RayMask rays_to_solid(const PlanFor<R>& plan, const SolidPlanFor<R>& solid, const RayChunk& chunk,
-                                     std::int32_t count, const LobePilot<R>& pilot, Vec3<Length<R>> o,
-                                     Vec3<Direction<R>> m, const Tangents<Direction<R>>& base) {
+                                     std::int32_t count, const LobePilot<R>& pilot, const ClassLobes<R>& lobes) {
     using L = Length<R>;
     using One = Length<Uniform<R>>;
-    const Vec3<L> f = solid.bound_centre - o;
-    const Vec3<L> centre{as<L>(dot(f, base.t)), as<L>(dot(f, base.b)), as<L>(dot(f, m))};
-    const Vec3<One> c = first_lane_of(centre);
-    const Vec3<L> off = centre - spread<L>(c);
-    const One stray = root<One>(largest_lane_of(dot(off, off))) + One::from_raw(kFewSteps);
+    Vec3<One> c{};
+    Area<R> most(0);
+    for (int p = 0; p < lobes.count; ++p) {
+        const PacketLobes<R>& own = lobes.packets[p];
+        const Vec3<L> f = solid.bound_centre - own.o;
+        const Vec3<L> centre{as<L>(dot(f, own.base.t)), as<L>(dot(f, own.base.b)), as<L>(dot(f, own.m))};
+        if (p == 0) c = first_lane_of(centre);
+        const Vec3<L> off = centre - spread<L>(c);
+        most = max(most, Area<R>(dot(off, off)));
+    }
+    const One stray = root<One>(largest_lane_of(most)) + One::from_raw(kFewSteps);
     if (stray > One(1)) return first_rays(count);
     const One reach = solid.bound_radius + stray;
     const RayMask near = rays_near_ball<R>(chunk, count, c, dot(c, c) - (reach * reach + kSquareRoom<R>));
@@ -136,28 +164,33 @@ ZERKALO_INLINE void hoist(AimedSolid<R>& aimed, LobeAim<R>& aim, const PlanFor<R
     }
 }
 
-/// Chooses among the candidates for the rays of a chunk from o about m. False where there are too many: then any ray
-/// may meet any of them.
+/// Chooses among the candidates for the rays of a chunk. False where there are too many: then any ray may meet any of
+/// them.
 template <class R>
 ZERKALO_ONCE bool aim_lobes(LobeAim<R>& aim, const PlanFor<R>& plan, CandidateMask candidates, const RayChunk& chunk,
-                            std::int32_t count, const Vec3<Length<R>>& o, const Vec3<Direction<R>>& m,
-                            const Tangents<Direction<R>>& base) {
-    aim.o = o;
-    aim.count = aim.used_slabs = 0;
+                            std::int32_t count, const ClassLobes<R>& lobes) {
+    aim.count = 0;
     aim.rays = 0;
-    const LobePilot<R> pilot = pilot_of<R>(o, m, base);
+    const LobePilot<R> pilot = pilot_of<R>(lobes);
     for (CandidateMask left = candidates; left != 0; left &= left - 1) {
         const int k = first_of(left);
-        const RayMask rays = rays_to_solid<R>(plan, plan.solids[k], chunk, count, pilot, o, m, base);
+        const RayMask rays = rays_to_solid<R>(plan, plan.solids[k], chunk, count, pilot, lobes);
         if (rays == 0) continue;
         if (aim.count == kMostAimed<R>) return false;
-        AimedSolid<R>& aimed = aim.solids[aim.count++];
-        aimed.rays = rays;
-        aimed.k = k;
+        aim.solids[aim.count].rays = rays;
+        aim.solids[aim.count].k = k;
         aim.rays |= rays;
-        hoist(aimed, aim, plan);
+        ++aim.count;
     }
     return true;
+}
+
+/// Readies the aim for the packet whose lobes begin at o.
+template <class R>
+ZERKALO_INLINE void stand_at(LobeAim<R>& aim, const PlanFor<R>& plan, const Vec3<Length<R>>& o) {
+    aim.o = o;
+    aim.used_slabs = 0;
+    for (std::int32_t c = 0; c < aim.count; ++c) hoist(aim.solids[c], aim, plan);
 }
 
 /// Hands `use` the span of an aimed solid along d.
@@ -172,13 +205,10 @@ ZERKALO_INLINE void with_aimed_span(const PlanFor<R>& plan, const LobeAim<R>& ai
         if (aimed.first_slab < 0) {
             return use(half_spaces_span<Faces::entry, R>(plan, solid.half_spaces, PointOrigin<Length<R>>{aim.o}, d));
         }
-        Span<N> span = whole_span<N>();
-        const auto* slabs = plan.slabs + solid.half_spaces.first_slab;
-        for (std::int32_t s = 0; s < solid.half_spaces.slab_count; ++s) {
-            clip<Faces::entry>(span, slabs[s], aim.slabs[aimed.first_slab + s], d);
-            if (none(span.entry <= span.exit)) break;
-        }
-        use(span);
+        const SlabOrigin<N>* own = aim.slabs + aimed.first_slab;
+        const auto seen = [own](std::int32_t s) ZERKALO_INLINE_LAMBDA { return own[s]; };
+        use(slabs_span<Faces::entry, N>(plan.slabs + solid.half_spaces.first_slab, solid.half_spaces.slab_count, d,
+                                        seen));
     } else if (solid.tube.tapered) {
         use(tube_span<true, Faces::entry, N>(solid.tube, aimed.from, d));
     } else {

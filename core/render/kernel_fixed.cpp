@@ -1,6 +1,7 @@
 // The kernels in fixed point: one lane of plain integers, or the lanes of an instruction set's vector registers.
 #include "core/render/kernel.hpp"
 
+#include "core/geometry/unrounded.hpp"
 #include "core/geometry/vector_algebra.hpp"
 #include "core/numeric/vector_elementary.hpp"
 #include "core/render/fixed_bounce.hpp"

@@ -199,12 +199,11 @@ ZERKALO_INLINE Mask<R> cone_may_meet(const SolidPlanFor<R>& solid, const LobeFor
 }
 
 /// Which lanes of `front` must send their lobe's rays, and what these can meet: of the solids, only some `among` these.
-/// The others see the background alone, which is added to the sum. `throughput`: of a ray with the largest share.
-template <class R>
+/// The others see the background alone: `add_background` is told which.
+template <class R, class Add>
 ZERKALO_INLINE Mask<R> lanes_with_rays(const PlanFor<R>& plan, const LobeFor<R>& lobe, Vec3<Length<R>> p,
-                                       Vec3<Direction<R>> m, Rgb<Weight<R>> throughput, Mask<R> front,
-                                       CandidateMask& candidates, Rgb<LightSum<R>>& sum,
-                                       CandidateMask among = ~CandidateMask{0}) {
+                                       Vec3<Direction<R>> m, Mask<R> front, CandidateMask& candidates,
+                                       CandidateMask among, const Add& add_background) {
     candidates = all_of(plan);
     if constexpr (!Formats<R>::kFixed) {
         return front;
@@ -225,7 +224,7 @@ ZERKALO_INLINE Mask<R> lanes_with_rays(const PlanFor<R>& plan, const LobeFor<R>&
         // What the rays of max-Phong weigh depends on the pixel.
         if (!alone || lobe.max_phong || lobe.ggx) return front;
         const auto empty = front & (!reached);
-        if (any(empty)) add_whole_lobe<R>(plan, empty, throughput, sum);
+        if (any(empty)) add_background(empty);
         return reached;
     }
 }

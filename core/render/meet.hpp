@@ -61,26 +61,19 @@ ZERKALO_INLINE auto mirror_origin(const PlanOf<F>& plan, int m, const PointOrigi
 template <Faces F, class R, class G>
 ZERKALO_INLINE Span<System<R>> half_spaces_span(const PlanOf<G>& plan, const HalfSpacesDataOf<G>& body,
                                                 const SharedOriginOf<G>& origin, Vec3<Direction<R>> d) {
-    Span<System<R>> span = whole_span<System<R>>();
     const SharedSlabOf<G>* shared = origin.slabs + body.first_slab;
-    const SlabOf<G>* slabs = plan.slabs + body.first_slab;
-    for (std::int32_t s = 0; s < body.slab_count; ++s) {
-        clip<F>(span, slabs[s], SlabOrigin<Uniform<R>>{shared[s].lo, shared[s].hi}, d);
-        if (none(span.entry <= span.exit)) break;
-    }
-    return span;
+    const auto seen = [shared](std::int32_t s) ZERKALO_INLINE_LAMBDA {
+        return SlabOrigin<Uniform<R>>{shared[s].lo, shared[s].hi};
+    };
+    return slabs_span<F, System<R>>(plan.slabs + body.first_slab, body.slab_count, d, seen);
 }
 template <Faces F, class R, class G>
 ZERKALO_INLINE Span<System<R>> half_spaces_span(const PlanOf<G>& plan, const HalfSpacesDataOf<G>& body,
                                                 const PointOrigin<Length<R>>& origin, Vec3<Direction<R>> d) {
-    Span<System<R>> span = whole_span<System<R>>();
     const Vec3<Length<R>> o = origin.o - body.centre;
     const SlabOf<G>* slabs = plan.slabs + body.first_slab;
-    for (std::int32_t s = 0; s < body.slab_count; ++s) {
-        clip<F>(span, slabs[s], slab_seen_from<System<R>>(slabs[s], o), d);
-        if (none(span.entry <= span.exit)) break;
-    }
-    return span;
+    const auto seen = [&](std::int32_t s) ZERKALO_INLINE_LAMBDA { return slab_seen_from<System<R>>(slabs[s], o); };
+    return slabs_span<F, System<R>>(slabs, body.slab_count, d, seen);
 }
 
 /// Hands `use` the span of convex solid k along unit directions d. Each shape has its own call of `use`: spans that

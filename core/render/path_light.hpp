@@ -8,8 +8,13 @@ namespace zerkalo::inline ZERKALO_ISA {
 
 template <class R>
 ZERKALO_INLINE void add(Rgb<LightSum<R>>& sum, Mask<R> mask, Rgb<Weight<R>> throughput, Rgb<Radiance<R>> light) {
-    const Rgb<LightSum<R>> share = throughput * light;
-    sum = {plus_where(mask, sum.r, share.r), plus_where(mask, sum.g, share.g), plus_where(mask, sum.b, share.b)};
+    sum = plus_where(mask, sum, throughput * light);
+}
+
+/// Adds light that is the same in all lanes.
+template <class R>
+ZERKALO_INLINE void add_uniform(Rgb<LightSum<R>>& sum, Mask<R> mask, const Rgb<LightSum<Uniform<R>>>& light) {
+    sum = plus_where(mask, sum, spread<LightSum<R>>(light));
 }
 
 /// The background, for as many rays that are known to miss everything.

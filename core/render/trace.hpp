@@ -70,8 +70,7 @@ ZERKALO_ONCE Rgb<Radiance<R>> local_light_anywhere(const PlanFor<R>& plan, const
         counts.shadow += count_of(lit);
         const auto visible = visible_anywhere<R>(plan, light, blockers.of_light[j] | own, to, p, spot, Mask<R>(lit));
         if (none(visible)) continue;
-        const auto share = light_share(light.data, to, n, -d, surface, visible);
-        sum = select(visible, sum + share, sum);
+        sum = plus_where(visible, sum, light_share(light.data, to, n, -d, surface, visible));
     }
     return sum;
 }
@@ -221,7 +220,9 @@ ZERKALO_INLINE void continue_at_mirror(const PlanFor<R>& plan, const PathPacket<
     } else {
         const Rgb<W> part = as<W>(scaled(throughput, full_weight<R>(plan.sampling.estimator, plan.samples)));
         CandidateMask candidates;
-        const Mask<R> sending = lanes_with_rays<R>(plan, lobe, p, d, part, front, candidates, sum);
+        const Mask<R> sending = lanes_with_rays<R>(
+            plan, lobe, p, d, front, candidates, ~CandidateMask{0},
+            [&](const auto& empty) ZERKALO_INLINE_LAMBDA { add_whole_lobe<R>(plan, empty, part, sum); });
         if (none(sending)) return;
         next.job.candidates |= candidates;
         go_on<R>(next.job, sending, p, d, part, spot);

@@ -55,6 +55,40 @@ ZERKALO_INLINE void clip(Span<N>& span, const S& slab, const SlabOrigin<M>& from
     }
 }
 
+template <class N>
+ZERKALO_INLINE bool is_empty(const Span<N>& span) {
+    return none(span.entry <= span.exit);
+}
+
+/// Clips by every slab, until nothing is left. `seen(s)`: the origin of slab s.
+template <Faces F, class N, class S, class Seen>
+ZERKALO_INLINE Span<N> clipped(const S* slabs, std::int32_t count, Vec3<Direction<N>> d, const Seen& seen) {
+    Span<N> span = whole_span<N>();
+    for (std::int32_t s = 0; s < count; ++s) {
+        clip<F>(span, slabs[s], seen(s), d);
+        if (is_empty(span)) break;
+    }
+    return span;
+}
+/// The same, called: seldom needed, and it takes registers.
+template <Faces F, class N, class S, class Seen>
+ZERKALO_ONCE Span<N> clipped_apart(const S* slabs, std::int32_t count, const Vec3<Direction<N>>& d, const Seen& seen) {
+    return clipped<F, N>(slabs, count, d, seen);
+}
+
+/// Span of the polyhedron along unit directions d. The ends are rounded once where that gives the same.
+template <Faces F, class N, class S, class Seen>
+ZERKALO_INLINE Span<N> slabs_span(const S* slabs, std::int32_t count, Vec3<Direction<N>> d, const Seen& seen) {
+    using Late = typename UnroundedOf<N>::type;
+    if constexpr (std::same_as<Late, N>) {
+        return clipped<F, N>(slabs, count, d, seen);
+    } else {
+        Span<N> span;
+        if (!settle(clipped<F, Late>(slabs, count, d, seen), span)) span = clipped_apart<F, N>(slabs, count, d, seen);
+        return span;
+    }
+}
+
 /// Outward normal of the face at hi of each lane's slab, in the lanes of `here`.
 template <class R, class B, class S>
 ZERKALO_INLINE Vec3<Direction<R>> half_spaces_normal(const B& body, const S* slabs, Index<R> face, Mask<R> here) {

@@ -2,8 +2,10 @@
 #include "tests/fixed/vector_laws.hpp"
 
 #include "core/geometry/unit.hpp"
+#include "core/geometry/unrounded.hpp"
 #include "core/geometry/vector_algebra.hpp"
 #include "core/numeric/vector_elementary.hpp"
+#include "core/shapes/half_spaces.hpp"
 
 #include <type_traits>
 
@@ -153,6 +155,33 @@ struct Root {
     auto operator()(auto a) const { return root<Like<To, decltype(a)>>(a); }
 };
 
+/// Slabs whose planes are so close that rounding decides which of them a ray meets first.
+struct CloseSlabs {
+    struct Slab {
+        Vec3<One::Direction> n;
+        One::Index index;
+    };
+    template <class L, class F>
+    struct Answer {
+        L x, y;
+        F z;
+    };
+    template <class L, class D>
+    auto operator()(L a, L b, D along) const {
+        using N = System<L>;
+        const Vec3<One::Direction> axis{One::Direction(1), One::Direction(0), One::Direction(0)};
+        const Slab slabs[] = {{axis, One::Index(1)}, {axis, One::Index(2)}, {axis, One::Index(3)}};
+        const auto step = One::Length::from_raw(1);
+        const SlabOrigin<N> seen[] = {{a, b}, {fitting_sum(a, step), fitting_difference(b, step)}, {b, a}};
+        const auto span = slabs_span<Faces::entry, N>(slabs, 3, Vec3<D>{along, D(0), D(0)},
+                                                      [&](std::int32_t s) ZERKALO_INLINE_LAMBDA { return seen[s]; });
+        // Of an empty one it depends on the neighbours where clipping ended.
+        const auto met = span.entry <= span.exit;
+        const auto face = select(met, span.face_in, Index<N>(0));
+        return Answer<L, Index<N>>{select(met, span.entry, L(0)), select(met, span.exit, L(0)), face};
+    }
+};
+
 using L = One::Length;
 using D = One::Direction;
 using A = One::Area;
@@ -197,6 +226,7 @@ constexpr test::VectorLaw kLaws[] = {
     law<Quotient<L>, A, L>("area / length"), law<Quotient<L>, A, A>("area / area"),
     law<Quotient<One::Inverse>, D, L>("direction / length as inverse"),
     law<Quotients<L>, L, L, D>("two quotients by one divisor"),
+    fitting<1, CloseSlabs, L, L, D>("the span of slabs"),
     law<Root<L>, A>("root"), law<Dot, L, L, L, L, L, L>("dot of ways of any size"),
     fitting<1, Dot, L, L, L, D, D, D>("dot with a direction"), fitting<1, DotOfWays, L, L, L>("dot_of_ways"),
     law<Cross, L, L, L, L, L, L>("cross"), law<Unit, L, L, L>("unit_of of words"), law<ShortUnit, L>("unit_of an axis"),
