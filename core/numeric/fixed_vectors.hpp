@@ -60,17 +60,19 @@ ZERKALO_INLINE auto fixed_of(Words raw) { return with_format<F>(VectorWords(raw)
 template <Format F>
 ZERKALO_INLINE auto fixed_of(const Longs& raw) { return with_format<F>(VectorLongs(raw)); }
 
-/// The nearest floats.
+/// The nearest floats, in steps of the format.
 using Floats = Vector<float, kVectorWidth>;
 template <class A, Format F>
     requires InVectors<A> && SingleWord<A>
-ZERKALO_INLINE Floats floats_of(Fixed<A, F> a) {
-    return __builtin_convertvector(a.raw.v, Floats) * (1.0f / float(std::int64_t{1} << F.fraction));
+ZERKALO_INLINE Floats steps_of(Fixed<A, F> a) {
+    return __builtin_convertvector(a.raw.v, Floats);
 }
 template <Format F>
-ZERKALO_INLINE float float_of(Fixed<std::int32_t, F> a) {
-    return float(a.raw) * (1.0f / float(std::int64_t{1} << F.fraction));
+ZERKALO_INLINE float steps_of(Fixed<std::int32_t, F> a) {
+    return float(a.raw);
 }
+/// Lanes of the mask for which a float said yes.
+ZERKALO_INLINE bool any_of(VectorMask mask, const Words& yes) { return (bits_of(mask) & signs_of(yes)) != 0; }
 
 template <class A, class B, Format F>
     requires SameElement<A, B> && InVectors<A, B>

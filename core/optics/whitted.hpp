@@ -52,12 +52,14 @@ ZERKALO_INLINE bool may_shine([[maybe_unused]] const ToLight<R>& to, [[maybe_unu
 #if defined(ZERKALO_INT_VECTORS)
     if constexpr (IntLaneTraits<Mask<R>>::kInVectors) {
         // Room for the rounding of unit vectors and their products; R.V = 2 (N.L)(N.V) - L.V.
-        constexpr float kRoom = 0x1p-16f;
+        constexpr float kRoom = 0x1p-16f, kOne = 0x1p30f;
+        static_assert(Direction<R>::kFraction == 30 && Weight<R>::kFraction == 30);
         const float own_reach = float(limit.raw) / float(shininess.raw), reach = own_reach < 1 ? own_reach : 1;
-        const Floats x = floats_of(v.x), y = floats_of(v.y), z = floats_of(v.z), n_dot_l = floats_of(to.n_dot_l);
-        const Floats n_dot_v = floats_of(n.x) * x + floats_of(n.y) * y + floats_of(n.z) * z;
-        const Floats l_dot_v = floats_of(to.l.x) * x + floats_of(to.l.y) * y + floats_of(to.l.z) * z;
-        return signs_of(lit.v & Words((n_dot_l + n_dot_l) * n_dot_v - l_dot_v > 1 - kRoom - reach)) != 0;
+        const Floats x = steps_of(v.x), y = steps_of(v.y), z = steps_of(v.z), n_dot_l = steps_of(to.n_dot_l);
+        const Floats n_dot_v = steps_of(n.x) * x + steps_of(n.y) * y + steps_of(n.z) * z;
+        const Floats l_dot_v = steps_of(to.l.x) * x + steps_of(to.l.y) * y + steps_of(to.l.z) * z;
+        const float least = (1 - kRoom - reach) * (kOne * kOne * kOne);
+        return any_of(lit, Words((n_dot_l + n_dot_l) * n_dot_v - l_dot_v * kOne > least));
     }
 #endif
     return true;

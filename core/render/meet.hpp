@@ -153,13 +153,14 @@ ZERKALO_INLINE bool any_may_meet(const SolidPlanFor<R>& solid, Vec3<Length<Unifo
                                  const Mask<R>& active) {
 #if defined(ZERKALO_INT_VECTORS)
     if constexpr (IntLaneTraits<Mask<R>>::kInVectors) {
-        // Room for the rounding of squares of lengths up to 15.
-        constexpr float kRoom = 0x1p-10f;
+        // Room for the rounding of squares of lengths up to 15; one, as a direction, squared.
+        constexpr float kRoom = 0x1p-10f * 0x1p54f, kOne2 = 0x1p60f;
+        static_assert(Length<R>::kFraction == 27 && Direction<R>::kFraction == 30);
         const auto f = fitting_difference(o, solid.bound_centre);
-        const float x = float_of(f.x), y = float_of(f.y), z = float_of(f.z), r = float_of(solid.bound_radius);
-        const float beyond = x * x + y * y + z * z - r * r - kRoom;
-        const Floats along = floats_of(d.x) * x + floats_of(d.y) * y + floats_of(d.z) * z;
-        return signs_of(active.v & Words(along * along >= beyond)) != 0;
+        const float x = steps_of(f.x), y = steps_of(f.y), z = steps_of(f.z), r = steps_of(solid.bound_radius);
+        const float beyond = (x * x + y * y + z * z - r * r - kRoom) * kOne2;
+        const Floats along = steps_of(d.x) * x + steps_of(d.y) * y + steps_of(d.z) * z;
+        return any_of(active, Words(along * along >= beyond));
     }
 #endif
     return any(may_meet<R>(solid, o, d, active));
