@@ -71,6 +71,10 @@ ZERKALO_INLINE Vec3<To> product(Vec3<A> a, B s) {
     return {product<To>(a.x, s), product<To>(a.y, s), product<To>(a.z, s)};
 }
 template <class To, class A, class B>
+ZERKALO_INLINE Vec3<To> rounded_product(Vec3<A> a, B s) {
+    return {rounded_product<To>(a.x, s), rounded_product<To>(a.y, s), rounded_product<To>(a.z, s)};
+}
+template <class To, class A, class B>
 ZERKALO_INLINE Rgb<To> product(Rgb<A> a, B s) {
     return {product<To>(a.r, s), product<To>(a.g, s), product<To>(a.b, s)};
 }

@@ -166,6 +166,16 @@ ZERKALO_INLINE constexpr To product(Fixed<A, FA> a, Fixed<B, FB> b) {
     }
 }
 
+/// The same of 64 bits times a word, known to fit.
+template <class To, class A, Format FA, class B, Format FB>
+ZERKALO_INLINE constexpr To rounded_product(Fixed<A, FA> a, Fixed<B, FB> b) {
+    if constexpr (kLanesOf<A> == 1 && kLanesOf<B> == 1) {
+        return with_format<To::kFormat>(rounded_product<(FA + FB).fraction - To::kFraction>(b.raw, a.raw));
+    } else {
+        return product<To>(a, b);
+    }
+}
+
 /// a / b rounded to nearest, ties away from zero. Division by zero is the end of the format on the side of a; 0 / 0 is
 /// the upper end, so that a ray in the plane of a slab's upper face is inside and in that of the lower face outside.
 /// Where the shifted dividend may exceed 64 bits, off by at most one step and 2^-30 of the quotient.

@@ -230,6 +230,17 @@ ZERKALO_INLINE constexpr To rescaled_wide_product(std::int64_t a, std::int64_t b
     return saturated<To>(rescaled_wide<Shift>(magnitude_of(a), magnitude_of(b)), (a < 0) != (b < 0));
 }
 
+/// a b / 2^Shift to nearest, ties away from zero, where it fits.
+template <int Shift>
+ZERKALO_INLINE constexpr std::int64_t rounded_product(std::int32_t a, std::int64_t b) {
+    static_assert(Shift > 1 && Shift < 32);
+    const std::int64_t low = std::int64_t{a} * static_cast<std::uint32_t>(b & 0xffffffff), high = a * (b >> 32);
+    const std::int64_t half = (std::int64_t{1} << (Shift - 1)) - ((a < 0) != (b < 0) ? 1 : 0);
+    const auto above = checked_product<std::int64_t>(high, std::int64_t{1} << (32 - Shift), "rounded_product");
+    const auto below = checked_sum<std::int64_t>(low, half, "rounded_product") >> Shift;
+    return checked_sum<std::int64_t>(above, below, "rounded_product");
+}
+
 /// Leading zeros of x > 0.
 ZERKALO_INLINE constexpr int leading_zeros(std::uint64_t x) { return __builtin_clzll(x); }
 

@@ -133,6 +133,18 @@ ZERKALO_INLINE Words alternating(Words a, Words b) {
 #endif
 }
 
+/// Of even lanes and odd ones as they follow each other.
+template <class Half>
+ZERKALO_INLINE auto one_after_the_other(Half even, Half odd) {
+#if defined(ZERKALO_512_BITS)
+    return __builtin_shufflevector(even, odd, 0, 8, 1, 9, 2, 10, 3, 11, 4, 12, 5, 13, 6, 14, 7, 15);
+#elif defined(__AVX2__)
+    return __builtin_shufflevector(even, odd, 0, 4, 1, 5, 2, 6, 3, 7);
+#else
+    return __builtin_shufflevector(even, odd, 0, 2, 1, 3);
+#endif
+}
+
 /// The odd lanes, each in the low word of its pair; what is above them means nothing. A shift on x86 would hide from
 /// clang 14 that a product of such words takes one instruction.
 ZERKALO_INLINE Quads odd_words(Words x) {
@@ -197,32 +209,12 @@ ZERKALO_INLINE Longs full_product(Words a, std::int32_t b) {
 }
 ZERKALO_INLINE Longs full_product(std::int32_t a, Words b) { return full_product(b, a); }
 
-/// Lanes in their order, into memory and from there.
-ZERKALO_INLINE void store_lanes(std::int64_t* target, const Longs& x) {
-#if defined(ZERKALO_512_BITS)
-    const Longs ordered{__builtin_shufflevector(x.even, x.odd, 0, 8, 1, 9, 2, 10, 3, 11),
-                        __builtin_shufflevector(x.even, x.odd, 4, 12, 5, 13, 6, 14, 7, 15)};
-    __builtin_memcpy(target, &ordered, sizeof ordered);
-#elif defined(__AVX2__)
-    const Longs ordered{__builtin_shufflevector(x.even, x.odd, 0, 4, 1, 5),
-                        __builtin_shufflevector(x.even, x.odd, 2, 6, 3, 7)};
-    __builtin_memcpy(target, &ordered, sizeof ordered);
-#else
-    const Longs ordered{__builtin_shufflevector(x.even, x.odd, 0, 2), __builtin_shufflevector(x.even, x.odd, 1, 3)};
-    __builtin_memcpy(target, &ordered, sizeof ordered);
-#endif
-}
-ZERKALO_INLINE Longs load_lanes(const std::int64_t* source) {
+/// Into memory and from there as the registers are: the even lanes, then the odd ones (place_of_long).
+ZERKALO_INLINE void store_longs(std::int64_t* target, const Longs& x) { __builtin_memcpy(target, &x, sizeof x); }
+ZERKALO_INLINE Longs load_longs(const std::int64_t* source) {
     Longs x;
     __builtin_memcpy(&x, source, sizeof x);
-#if defined(ZERKALO_512_BITS)
-    return {__builtin_shufflevector(x.even, x.odd, 0, 2, 4, 6, 8, 10, 12, 14),
-            __builtin_shufflevector(x.even, x.odd, 1, 3, 5, 7, 9, 11, 13, 15)};
-#elif defined(__AVX2__)
-    return {__builtin_shufflevector(x.even, x.odd, 0, 2, 4, 6), __builtin_shufflevector(x.even, x.odd, 1, 3, 5, 7)};
-#else
-    return {__builtin_shufflevector(x.even, x.odd, 0, 2), __builtin_shufflevector(x.even, x.odd, 1, 3)};
-#endif
+    return x;
 }
 
 // To doubles, to nearest: of numbers >= 0, of any, and of those below 2^51.

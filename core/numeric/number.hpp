@@ -183,7 +183,13 @@ ZERKALO_INLINE To product(A a, B b) {
     return To(a) * To(b);
 }
 
-/// The same of numbers that are not negative.
+/// The same where it is known to fit.
+template <class To, class A, class B>
+ZERKALO_INLINE To rounded_product(A a, B b) {
+    return product<To>(a, b);
+}
+
+/// product() of numbers that are not negative.
 template <class To, class A, class B>
 ZERKALO_INLINE To share_product(A a, B b) {
     return product<To>(a, b);

@@ -127,8 +127,8 @@ ZERKALO_INLINE RayMask rays_to_solid(const PlanFor<R>& plan, const SolidPlanFor<
     Area<R> most(0);
     for (int p = 0; p < lobes.count; ++p) {
         const PacketLobes<R>& own = lobes.packets[p];
-        const Vec3<L> f = solid.bound_centre - own.o;
-        const Vec3<L> centre{as<L>(dot(f, own.base.t)), as<L>(dot(f, own.base.b)), as<L>(dot(f, own.m))};
+        const Vec3<L> f = fitting_difference(solid.bound_centre, own.o);
+        const Vec3<L> centre{rounded<L>(dot(f, own.base.t)), rounded<L>(dot(f, own.base.b)), rounded<L>(dot(f, own.m))};
         if (p == 0) c = first_lane_of(centre);
         const Vec3<L> off = centre - spread<L>(c);
         most = max(most, Area<R>(dot(off, off)));

@@ -6,7 +6,7 @@
 
 namespace zerkalo::inline ZERKALO_ISA {
 
-/// The light of a tile's pixels, as raw integers, row-major.
+/// The light of a tile's pixels, as raw integers, in the order of place_of_pixel().
 struct LightSums {
     alignas(64) std::int64_t r[kTilePixels], g[kTilePixels], b[kTilePixels];
 };
@@ -18,21 +18,28 @@ struct WaitingLobes {
     CandidateMask candidates;
 };
 
-/// The lanes of a packet as pixels of the tile; those past its end are copies of its last one.
+/// The lanes of a packet as pixels of the tile, and the places of their light; those past its end are copies of its
+/// last one.
 struct PacketPixels {
-    std::uint8_t of_lane[kWidestLane];
+    std::uint8_t of_lane[kWidestLane], place_of_lane[kWidestLane];
 };
 
 template <class L>
-ZERKALO_INLINE L gather_raw(const typename L::Element* source, const PacketPixels& pixels) {
+ZERKALO_INLINE L gather_words(const std::int32_t* source, const PacketPixels& pixels) {
     constexpr int kLanes = kLanesOf<typename L::Representation>;
-    alignas(64) typename L::Element lanes[kLanes];
+    alignas(64) std::int32_t lanes[kLanes];
     for (int k = 0; k < kLanes; ++k) lanes[k] = source[pixels.of_lane[k]];
     return load_raw<L>(lanes);
 }
 template <class L>
 ZERKALO_INLINE Vec3<L> gather_vector(const std::int32_t (&source)[3][kTilePixels], const PacketPixels& pixels) {
-    return {gather_raw<L>(source[0], pixels), gather_raw<L>(source[1], pixels), gather_raw<L>(source[2], pixels)};
+    return {gather_words<L>(source[0], pixels), gather_words<L>(source[1], pixels), gather_words<L>(source[2], pixels)};
+}
+template <class R>
+ZERKALO_INLINE LightSum<R> gather_longs(const std::int64_t* source, const PacketPixels& pixels) {
+    alignas(64) std::int64_t lanes[kWidth<R>];
+    for (int k = 0; k < kWidth<R>; ++k) lanes[place_of_long<R>(k)] = source[pixels.place_of_lane[k]];
+    return load_raw<LightSum<R>>(lanes);
 }
 
 template <class R>
@@ -46,8 +53,7 @@ ZERKALO_INLINE Rgb<LightSum<R>> load_sum(const LightSums& sums, int first) {
 }
 template <class R>
 ZERKALO_INLINE Rgb<LightSum<R>> gather_sum(const LightSums& sums, const PacketPixels& pixels) {
-    using S = LightSum<R>;
-    return {gather_raw<S>(sums.r, pixels), gather_raw<S>(sums.g, pixels), gather_raw<S>(sums.b, pixels)};
+    return {gather_longs<R>(sums.r, pixels), gather_longs<R>(sums.g, pixels), gather_longs<R>(sums.b, pixels)};
 }
 /// The active lanes come first.
 template <class R>
@@ -56,8 +62,8 @@ ZERKALO_INLINE void scatter_sum(LightSums& sums, const PacketPixels& pixels, Mas
     alignas(64) std::int64_t r[kWidth<R>], g[kWidth<R>], b[kWidth<R>];
     store_raw(r, sum.r), store_raw(g, sum.g), store_raw(b, sum.b);
     for (int k = 0; k < static_cast<int>(count_of(active)); ++k) {
-        const int pixel = pixels.of_lane[k];
-        sums.r[pixel] = r[k], sums.g[pixel] = g[k], sums.b[pixel] = b[k];
+        const int to = pixels.place_of_lane[k], from = place_of_long<R>(k);
+        sums.r[to] = r[from], sums.g[to] = g[from], sums.b[to] = b[from];
     }
 }
 

@@ -126,6 +126,7 @@ ZERKALO_INLINE Mask<R> next_pixels(PacketPixels& packet, std::uint64_t& pixels) 
             set_lane(active, k, true);
         }
         packet.of_lane[k] = static_cast<std::uint8_t>(last);
+        packet.place_of_lane[k] = static_cast<std::uint8_t>(place_of_pixel<R>(last));
     }
     return active;
 }

@@ -8,7 +8,18 @@ namespace zerkalo::inline ZERKALO_ISA {
 /// Sums of camera samples: to 8e6, step 9e-13.
 using PixelSum = Fixed<std::int64_t, 40>;
 
-/// Linear colours of a tile's pixels, row-major over the full tile side; padded for whole packets.
+/// Where lane k of a packet of 64-bit numbers lies in memory: registers hold the even lanes, then the odd ones.
+template <class R>
+constexpr int place_of_long(int k) {
+    return IntLaneTraits<MaskOf<R>>::kInVectors ? k % 2 * (kWidth<R> / 2) + k / 2 : k;
+}
+template <class R>
+constexpr int place_of_pixel(int pixel) {
+    return pixel / kWidth<R> * kWidth<R> + place_of_long<R>(pixel % kWidth<R>);
+}
+
+/// Linear colours of a tile's pixels, row-major over the full tile side, a packet's as place_of_pixel() says; padded for
+/// whole packets.
 struct FixedColours {
     std::int64_t r[kTilePixels], g[kTilePixels], b[kTilePixels];
 };
@@ -46,17 +57,20 @@ ZERKALO_INLINE void put_channel(std::int64_t* pixels, Fixed<A, F> c, bool add) {
             return Quads((UnsignedQuads(x) + (std::uint64_t{1} << (kShift - 1))) >> kShift);
         },
         c.raw.v);
-    store_lanes(pixels, add ? held_sum(one, load_lanes(pixels)) : one);
+    store_longs(pixels, add ? held_sum(one, load_longs(pixels)) : one);
 }
 
-/// x 2^exponent of x >= 0 as floats, by the float unit: exact in double below 2^53, so rounded once.
+/// x 2^exponent of x >= 0 as floats in the order of the pixels, by the float unit: exact in double below 2^51, so
+/// rounded once.
 ZERKALO_INLINE void store_floats(float* target, const std::int64_t* x, double unit) {
-    for (int i = 0; i < kTilePixels; i += kPartLanes) {
-        Quads whole;
-        __builtin_memcpy(&whole, x + i, sizeof whole);
-        const auto narrow =
-            __builtin_convertvector(double_of(UnsignedQuads(whole)) * unit, Vector<float, kPartLanes>);
-        __builtin_memcpy(target + i, &narrow, sizeof narrow);
+    for (int i = 0; i < kTilePixels; i += kVectorWidth) {
+        const auto narrow = each_part(
+            [unit](Quads whole) ZERKALO_INLINE_LAMBDA {
+                return __builtin_convertvector(double_of_small(whole) * unit, Vector<float, kPartLanes>);
+            },
+            load_longs(x + i));
+        const Floats ordered = one_after_the_other(narrow.even, narrow.odd);
+        __builtin_memcpy(target + i, &ordered, sizeof ordered);
     }
 }
 
@@ -106,7 +120,7 @@ ZERKALO_INLINE void write_tile(const FixedPlan& plan, const FixedColours& colour
                                const LinearImage& image) {
     const int exponent = plan.exposure - PixelSum::kFraction;
 #if defined(ZERKALO_INT_VECTORS)
-    if (IntLaneTraits<MaskOf<R>>::kInVectors && all_below(colours, std::int64_t{1} << 53)) {
+    if (IntLaneTraits<MaskOf<R>>::kInVectors && all_below(colours, std::int64_t{1} << 51)) {
         TileColours floats;
         const double unit = __builtin_bit_cast(double, std::int64_t{1023 + exponent} << 52);
         store_floats(floats.r, colours.r, unit);
@@ -117,10 +131,11 @@ ZERKALO_INLINE void write_tile(const FixedPlan& plan, const FixedColours& colour
 #endif
     for (std::uint64_t left = tile.pixels; left != 0; left &= left - 1) {
         const int pixel = first_of(left);
+        const int place = place_of_pixel<R>(pixel);
         float* out = image.row(tile.top + pixel / kTileSide) + 3 * (tile.left + pixel % kTileSide);
-        const std::uint32_t bits[3] = {float_bits_of(colours.r[pixel], exponent),
-                                       float_bits_of(colours.g[pixel], exponent),
-                                       float_bits_of(colours.b[pixel], exponent)};
+        const std::uint32_t bits[3] = {float_bits_of(colours.r[place], exponent),
+                                       float_bits_of(colours.g[place], exponent),
+                                       float_bits_of(colours.b[place], exponent)};
         __builtin_memcpy(out, bits, sizeof bits);
     }
 }
@@ -128,11 +143,17 @@ ZERKALO_INLINE void write_tile(const FixedPlan& plan, const FixedColours& colour
 /// A tile that sees nothing: the background, as pixels of rendered tiles have it.
 template <class R>
 ZERKALO_INLINE void fill_tile(const FixedPlan& plan, const Tile& tile, const LinearImage& image) {
-    using One = FixedNumbers<1>;
-    const Rgb<LightSum<One>> light = plan.background * Rgb<Weight<One>>{Weight<One>(1), Weight<One>(1), Weight<One>(1)};
-    FixedColours colours;
-    for (std::int32_t pixel = 0; pixel < kTilePixels; ++pixel) put(colours, pixel, light, false);
-    write_tile<R>(plan, colours, tile, image);
+    using W = Weight<FixedNumbers<1>>;
+    const auto light = plan.background * Rgb<W>{W(1), W(1), W(1)};
+    const int exponent = plan.exposure - PixelSum::kFraction;
+    const std::uint32_t bits[3] = {float_bits_of(as<PixelSum>(light.r).raw, exponent),
+                                   float_bits_of(as<PixelSum>(light.g).raw, exponent),
+                                   float_bits_of(as<PixelSum>(light.b).raw, exponent)};
+    for (std::uint64_t left = tile.pixels; left != 0; left &= left - 1) {
+        const int pixel = first_of(left);
+        float* out = image.row(tile.top + pixel / kTileSide) + 3 * (tile.left + pixel % kTileSide);
+        __builtin_memcpy(out, bits, sizeof bits);
+    }
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

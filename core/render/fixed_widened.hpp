@@ -18,7 +18,7 @@ ZERKALO_INLINE void store_raw(typename L::Element* target, const L& x) {
     } else if constexpr (std::same_as<typename L::Element, std::int32_t>) {
         __builtin_memcpy(target, &x.raw.v, sizeof x.raw.v);
     } else {
-        store_lanes(target, x.raw.v);
+        store_longs(target, x.raw.v);
     }
 }
 template <class L>
@@ -30,7 +30,7 @@ ZERKALO_INLINE L load_raw(const typename L::Element* source) {
     } else if constexpr (std::same_as<typename L::Element, std::int32_t>) {
         __builtin_memcpy(&x.raw.v, source, sizeof x.raw.v);
     } else {
-        x.raw.v = load_lanes(source);
+        x.raw.v = load_longs(source);
     }
     return x;
 }

@@ -121,11 +121,11 @@ ZERKALO_INLINE R twice_upwards(const PlanHead& plan, R y, SubPixelOf<P> at) {
 /// whole, not normalised.
 template <class F, class P>
 ZERKALO_INLINE Vec3<View<P>> towards_column(const CameraPlanOf<F>& camera, P across) {
-    return fitting_sum(camera.view, product<View<P>>(camera.step_x, across));
+    return fitting_sum(camera.view, rounded_product<View<P>>(camera.step_x, across));
 }
 template <class F, class V, class P>
 ZERKALO_INLINE Vec3<V> towards_pixel(const CameraPlanOf<F>& camera, Vec3<V> column, P upwards) {
-    return fitting_sum(column, product<V>(camera.step_y, upwards));
+    return fitting_sum(column, rounded_product<V>(camera.step_y, upwards));
 }
 
 /// Directions to the columns of a tile, by packet.
