@@ -1,7 +1,7 @@
 // Lengths in vector registers before they are rounded: doubles, in steps of the format, off by 2^-21 at most.
 //
 // Rounding keeps the order of numbers, so the larger of many is rounded once, at the end. What the order decides besides
-// (which face a ray meets) is doubtful where two are so close that they may round to one, and then the integers are asked.
+// (which face a ray meets) is doubtful where two are so close that they may round to one: then the integers are asked.
 #pragma once
 
 #include "core/geometry/ray.hpp"

@@ -18,12 +18,9 @@ struct VectorUnit {
 struct LengthParts {
     Longs length, inverse;
 };
-ZERKALO_INLINE LengthParts length_of(const UnsignedLongs& x, const UnsignedLongs& y, const UnsignedLongs& z) {
+ZERKALO_ONCE LengthParts exact_length_of(const UnsignedLongs& square) {
     const Longs length = each_part(
-        [](UnsignedQuads a, UnsignedQuads b, UnsignedQuads c) ZERKALO_INLINE_LAMBDA {
-            return nearest_root(low_product(a, a) + low_product(b, b) + low_product(c, c));
-        },
-        x, y, z);
+        [](UnsignedQuads x) ZERKALO_INLINE_LAMBDA { return nearest_root(x); }, square);
     const Longs inverse = each_part(
         [](Quads divisor) ZERKALO_INLINE_LAMBDA {
             const Doubles wide = 0x1p62 / double_of_small(divisor);
@@ -37,6 +34,33 @@ ZERKALO_INLINE LengthParts length_of(const UnsignedLongs& x, const UnsignedLongs
         },
         length);
     return {length, inverse};
+}
+/// The same by the float unit, which is off by 2^-20 at most, and exactly only where that cannot tell.
+ZERKALO_INLINE LengthParts length_of(const UnsignedLongs& x, const UnsignedLongs& y, const UnsignedLongs& z) {
+    constexpr double kNearHalf = 0.5 - 0x1p-20, kShift = 0x1p52, kMost = 0xffffffffp0;
+    const UnsignedLongs square = each_part(
+        [](UnsignedQuads a, UnsignedQuads b, UnsignedQuads c) ZERKALO_INLINE_LAMBDA {
+            return low_product(a, a) + low_product(b, b) + low_product(c, c);
+        },
+        x, y, z);
+    Quads unsettled{};
+    const auto rounded = [&unsettled](Doubles exact) ZERKALO_INLINE_LAMBDA {
+        const Doubles shifted = exact + kShift, off = exact - (shifted - kShift);
+        unsettled |= Quads(Doubles(Quads(off) & kMostLong) > kNearHalf);
+        return shifted;
+    };
+    const DoubleParts length = each_part(
+        [&](UnsignedQuads sum) ZERKALO_INLINE_LAMBDA { return rounded(square_root(double_of(sum))); },
+        square);
+    const DoubleParts inverse = each_part(
+        [&](Doubles shifted) ZERKALO_INLINE_LAMBDA {
+            const Doubles wide = 0x1p62 / (shifted - kShift);
+            return rounded(wide < kMost ? wide : Doubles{} + kMost);
+        },
+        length);
+    if (signs_of(Words(unsettled)) != 0) return exact_length_of(square);
+    const auto whole = [](Doubles shifted) ZERKALO_INLINE_LAMBDA { return Quads(shifted) & 0xfffffffffffff; };
+    return {each_part(whole, length), each_part(whole, inverse)};
 }
 
 /// size inverse / 2^32 to nearest, in the high words.

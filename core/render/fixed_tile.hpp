@@ -149,6 +149,13 @@ ZERKALO_INLINE void fill_tile(const FixedPlan& plan, const Tile& tile, const Lin
     const std::uint32_t bits[3] = {float_bits_of(as<PixelSum>(light.r).raw, exponent),
                                    float_bits_of(as<PixelSum>(light.g).raw, exponent),
                                    float_bits_of(as<PixelSum>(light.b).raw, exponent)};
+    if (tile.pixels == kWholeTile) {
+        std::uint32_t row[3 * kTileSide];
+        for (int x = 0; x < kTileSide; ++x) __builtin_memcpy(row + 3 * x, bits, sizeof bits);
+        float* out = image.row(tile.top) + 3 * tile.left;
+        for (int y = 0; y < kTileSide; ++y, out = image.below(out)) __builtin_memcpy(out, row, sizeof row);
+        return;
+    }
     for (std::uint64_t left = tile.pixels; left != 0; left &= left - 1) {
         const int pixel = first_of(left);
         float* out = image.row(tile.top + pixel / kTileSide) + 3 * (tile.left + pixel % kTileSide);

@@ -167,8 +167,11 @@ struct CloseSlabs {
         F z;
     };
     template <class L, class D>
-    auto operator()(L a, L b, D along) const {
+    auto operator()(L a, L b, D slope) const {
         using N = System<L>;
+        // 0.95 to 1.45: planes one step apart are met as far apart, or at one rounded distance.
+        const auto eighth = One::Direction::from_raw(1 << 27), middle = One::Direction::from_raw(0x4ccccccd);
+        const D along = fitting_sum(as<D>(slope * eighth), middle);
         const Vec3<One::Direction> axis{One::Direction(1), One::Direction(0), One::Direction(0)};
         const Slab slabs[] = {{axis, One::Index(1)}, {axis, One::Index(2)}, {axis, One::Index(3)}};
         const auto step = One::Length::from_raw(1);
