@@ -22,7 +22,7 @@ constexpr RayMask first_rays(std::int32_t count) { return count < kRayChunk ? (R
 template <class R>
 constexpr int kMostAimed = kWidth<R> > 8 ? 4 : 8;
 template <class R>
-constexpr int kHoistedSlabs = kWidth<R> > 8 ? 12 : 16;
+constexpr int kHoistedSlabs = kWidth<R> > 8 ? 10 : 16;
 
 /// A solid that some rays may meet from some pixels, and what its intersections owe to the origins.
 template <class R>
