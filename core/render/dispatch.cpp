@@ -9,36 +9,39 @@ namespace {
 struct IsaRow {
     const char* name;
     int lanes;
-    const KernelTable* table;
-    int fixed_lanes;
-    const FixedTileFunction* fixed;  // null where the kernel of one lane serves
-    const FixedTileFunction* fixed_general;
+    const KernelTable* table = nullptr;  // null where this build has no kernel of it
+    int fixed_lanes = 1;
+    const FixedTileFunction* fixed = nullptr;  // null where the kernel of one lane serves
+    const FixedTileFunction* fixed_general = nullptr;
 };
 
-#if defined(__x86_64__) && !defined(ZERKALO_SCALAR_ONLY)
+// ZERKALO_HAS_...: what CMakeLists.txt has built.
 constexpr IsaRow kRows[kIsaCount] = {
     {"scalar", 1, &kKernels_scalar, 1, &kFixedKernel_scalar, &kFixedKernel_scalar},
-    {"sse2", 4, &kKernels_sse2, 1, nullptr, nullptr},
+#if defined(ZERKALO_HAS_sse2)
+    {"sse2", 4, &kKernels_sse2},
+#else
+    {"sse2", 4},
+#endif
+#if defined(ZERKALO_HAS_sse4_2)
     {"sse4.2", 4, &kKernels_sse4_2, 4, &kFixedKernel_sse4_2, &kFixedKernel_sse4_2},
+#else
+    {"sse4.2", 4},
+#endif
+#if defined(ZERKALO_HAS_avx2)
     {"avx2", 8, &kKernels_avx2, 8, &kFixedKernel_avx2, &kFixedKernel_avx2},
+#else
+    {"avx2", 8},
+#endif
+#if defined(ZERKALO_HAS_avx512)
     {"avx512", 16, &kKernels_avx512, 16, &kFixedKernel_avx512, &kFixedKernel_avx512_general},
-    {"neon", 4, nullptr, 1, nullptr, nullptr}};
-#elif defined(__aarch64__) && !defined(ZERKALO_SCALAR_ONLY)
-constexpr IsaRow kRows[kIsaCount] = {
-    {"scalar", 1, &kKernels_scalar, 1, &kFixedKernel_scalar, &kFixedKernel_scalar},
-    {"sse2", 4, nullptr, 1, nullptr, nullptr},
-    {"sse4.2", 4, nullptr, 1, nullptr, nullptr},
-    {"avx2", 8, nullptr, 1, nullptr, nullptr},
-    {"avx512", 16, nullptr, 1, nullptr, nullptr},
+#else
+    {"avx512", 16},
+#endif
+#if defined(ZERKALO_HAS_neon)
     {"neon", 4, &kKernels_neon, 4, &kFixedKernel_neon, &kFixedKernel_neon}};
 #else
-constexpr IsaRow kRows[kIsaCount] = {
-    {"scalar", 1, &kKernels_scalar, 1, &kFixedKernel_scalar, &kFixedKernel_scalar},
-    {"sse2", 4, nullptr, 1, nullptr, nullptr},
-    {"sse4.2", 4, nullptr, 1, nullptr, nullptr},
-    {"avx2", 8, nullptr, 1, nullptr, nullptr},
-    {"avx512", 16, nullptr, 1, nullptr, nullptr},
-    {"neon", 4, nullptr, 1, nullptr, nullptr}};
+    {"neon", 4}};
 #endif
 
 const IsaRow& row_of(Isa isa) { return kRows[static_cast<int>(isa)]; }

@@ -33,7 +33,7 @@ constexpr double kLargestStep = 16;  // times the samples so far: an estimate fr
 
 // Of the variance asked for, what the forecast aims at: some tiles are only lucky, and no table is exact. That of ggx
 // lobes comes out lower, and of what is left of a lobe when its coverage is known.
-constexpr double kMargin = 0.85, kMarginOfGgx = 0.78, kMarginOfCoverage = 0.7;
+constexpr double kMargin = 0.85, kMarginOfGgx = 0.78, kMarginOfCoverage = 0.6;
 
 /// What a pass costs a camera ray before its first lobe ray, in lobe rays: measured over the shipped scenes (README.md).
 constexpr double kPriceOfOneBounce = 16, kPriceOfGeneral = 2;
