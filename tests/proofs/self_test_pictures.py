@@ -10,15 +10,16 @@ GOOD = "sharp sse2 00ff\nsharp avx2 00ff\nglossy sse2 1234\nglossy avx2 1234\n"
 
 
 class SamePictures(unittest.TestCase):
-    def run_on(self, *outputs, native=(), code=0):
+    def run_on(self, *outputs, native=(), few=(), code=0):
         """The exit code for programs that print the given texts."""
         with tempfile.TemporaryDirectory() as folder:
             arguments = []
-            for i, text in enumerate([*native, *outputs]):
+            for i, text in enumerate([*native, *few, *outputs]):
                 program = Path(folder) / f"program{i}"
                 program.write_text(f"#!/bin/sh\nprintf '%s' '{text}'\nexit {code}\n")
                 program.chmod(program.stat().st_mode | stat.S_IXUSR)
-                arguments += ["--native", str(program)] if i < len(native) else [str(program)]
+                kind = ["--native"] if i < len(native) else ["--few"] if i < len(native) + len(few) else []
+                arguments += [*kind, str(program)]
             return same_pictures.main(arguments)
 
     def test_equal_pictures_are_accepted(self):
@@ -40,6 +41,13 @@ class SamePictures(unittest.TestCase):
         self.assertEqual(self.run_on(GOOD, native=[GOOD.replace("sse2", "neon")]), 0)
         self.assertEqual(self.run_on(GOOD, native=[GOOD.replace("sse2", "neon").replace("1234", "1")]), 1)
         self.assertEqual(self.run_on(GOOD, native=["sharp neon 00ff\n"]), 1)
+
+    def test_a_program_of_few_kernels_has_one_lane_the_same_hashes_and_every_picture(self):
+        whole = GOOD.replace("sse2", "scalar")
+        self.assertEqual(self.run_on(whole, few=["sharp scalar 00ff\nglossy scalar 1234\n"]), 0)
+        self.assertEqual(self.run_on(whole, few=["sharp avx2 00ff\nglossy scalar 1234\n"]), 1)
+        self.assertEqual(self.run_on(whole, few=["sharp scalar 00fe\nglossy scalar 1234\n"]), 1)
+        self.assertEqual(self.run_on(whole, few=["sharp scalar 00ff\n"]), 1)
 
     def test_a_failing_silent_or_lone_program_is_rejected(self):
         for outputs, code in (((GOOD, GOOD), 1), (("", ""), 0), ((GOOD,), 0)):
