@@ -64,7 +64,7 @@ def configure(build, folder):
     toolchain = [f"-DCMAKE_TOOLCHAIN_FILE={ROOT / 'tools' / build.toolchain}"] if build.toolchain else []
     run(["cmake", "-S", ROOT / "tests/proofs/pictures", "-B", folder, "-G", "Ninja", *toolchain,
          f"-DCMAKE_CXX_COMPILER={build.compiler}", "-DCMAKE_BUILD_TYPE=None", f"-DCMAKE_CXX_FLAGS={build.flags} -DNDEBUG",
-         f"-DZERKALO_BREAK={build.breaks}"])
+         f"-DZERKALO_BREAK={build.breaks}", f"-DZERKALO_FEW_KERNELS={'ON' if build.breaks else 'OFF'}"])
 
 
 def results_of(build, given, scenes):

@@ -24,7 +24,9 @@ namespace {
 // No lane width divides the columns; both sides end inside a tile.
 constexpr Settings kSettings{.width = 45, .height = 33, .samples = 5};
 
-#if defined(__x86_64__)
+#if defined(ZERKALO_FEW_KERNELS) && defined(__x86_64__)
+constexpr StageFunction kStages[kIsaCount] = {stages_scalar, nullptr, nullptr, stages_avx2, nullptr, nullptr};
+#elif defined(__x86_64__)
 constexpr StageFunction kStages[kIsaCount] = {stages_scalar, stages_sse2,   stages_sse4_2,
                                               stages_avx2,   stages_avx512, nullptr};
 #elif defined(__aarch64__)
