@@ -4,7 +4,7 @@
 # for this machine again with the address and undefined behaviour sanitizers (preset asan-ubsan; without the proofs about
 # objects and sources, which have builds of their own). Laws that average thousands of pictures or directions are asked
 # of the first build alone: that its bytes are those of ARM, and that its reads and writes are sound, others tell. So is one
-lane compiled for each instruction set of its own.
+# lane compiled for each instruction set of its own.
 # The last line is the total: "N passed, N failed".
 # Exit code 0 only when something ran and nothing failed; a build that fails counts as one failed test.
 set -euo pipefail
