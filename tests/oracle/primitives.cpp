@@ -174,7 +174,7 @@ const std::vector<Primitive>& primitives() {
     static const std::vector<Primitive> all = {
         {"sphere", [](Random& r) { return next_solid(r, SolidKind::sphere); }},
         {"cylinder", [](Random& r) { return next_tube(r, 1); }, 5},
-        {"cone", [](Random& r) { return next_tube(r, 0); }},
+        {"cone", [](Random& r) { return next_tube(r, 0); }, 5},
         {"frustum", [](Random& r) { return next_tube(r, power_of_two(r, -3, 2)); }, 5},
         {"prism", [](Random& r) { return next_solid(r, SolidKind::prism); }},
         {"pyramid", [](Random& r) { return next_solid(r, SolidKind::pyramid); }},

@@ -165,7 +165,7 @@ Wish quick_wish() {
     Wish wish = wish_for({64, 48});
     wish.samples = {1, 4, 16, 64};
     wish.fixed_samples = {1, 4, 16};
-    wish.reference_samples = 8192;
+    wish.reference_samples = 4096;
     return wish;
 }
 
