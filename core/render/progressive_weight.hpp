@@ -31,9 +31,9 @@ inline double weight_of(double samples, int gain) {
 
 constexpr double kLargestStep = 16;  // times the samples so far: an estimate from few samples must not decide all
 
-// Of the variance asked for, what the forecast aims at: some tiles are only lucky, and no table is exact. That of ggx
-// lobes comes out lower, and of what is left of a lobe when its coverage is known.
-constexpr double kMargin = 0.85, kMarginOfGgx = 0.78, kMarginOfCoverage = 0.6;
+// Of the variance asked for, what the forecast aims at: some tiles are only lucky, and no table is exact, least of all
+// that of ggx lobes.
+constexpr double kMargin = 0.85, kMarginOfGgx = 0.78;
 
 /// What a pass costs a camera ray before its first lobe ray, in lobe rays: measured over the shipped scenes (README.md).
 constexpr double kPriceOfOneBounce = 16, kPriceOfGeneral = 2;
@@ -44,10 +44,7 @@ inline bool rays_are_dear(const PlanHead& plan) { return (plan.features & kNeeds
 /// Pixels times channels.
 inline double values_of(const PlanHead& plan) { return 3.0 * plan.width * plan.height; }
 
-inline double margin_of(const PlanHead& plan) {
-    if (plan.features & kFeatureGgx) return kMarginOfGgx;
-    return plan.sampling.estimator == Estimator::fibonacci_coverage ? kMarginOfCoverage : kMargin;
-}
+inline double margin_of(const PlanHead& plan) { return plan.features & kFeatureGgx ? kMarginOfGgx : kMargin; }
 
 /// Of all tiles together, for the estimate to become that error or a little less.
 inline double variance_for(const PlanHead& plan, double error) {
