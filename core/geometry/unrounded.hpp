@@ -100,14 +100,12 @@ ZERKALO_INLINE bool is_empty(const Span<UnroundedNumbers>& span) {
 
 /// The integers nearest to the lengths; `unsettled`: where halves are so close that these may be others.
 ZERKALO_INLINE Words nearest_steps(const UnroundedLength& x, Quads& unsettled) {
-    constexpr double kNearHalf = 0.5 - 0x1p-20;
     const DoubleParts within = each_part(
         [](Doubles y) ZERKALO_INLINE_LAMBDA { return y > -double(kMostWord) ? y : Doubles{} - double(kMostWord); },
         x.v);
     const DoubleParts shifted = each_part([](Doubles y) ZERKALO_INLINE_LAMBDA { return y + 0x1.8p52; }, within);
     const auto close = each_part(
-        [](Doubles y, Doubles s) ZERKALO_INLINE_LAMBDA { return Quads(size_of(y - (s - 0x1.8p52)) > kNearHalf); },
-        within, shifted);
+        [](Doubles y, Doubles s) ZERKALO_INLINE_LAMBDA { return near_halves(y, s - 0x1.8p52); }, within, shifted);
     unsettled |= close.even | close.odd;
     return alternating(Words(shifted.even), Words(UnsignedQuads(shifted.odd) << 32));
 }

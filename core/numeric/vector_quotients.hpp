@@ -32,12 +32,20 @@ ZERKALO_ONCE Words last_step(const Longs& a, Words b, Words q) {
     return Words(Words(magnitude_of(rest)) > Words(bound)) & (sign_of(rest ^ b) | 1);
 }
 
+/// All bits set where x is so near to halves that `whole`, the integer nearest to it, may not be that of the exact value:
+/// x is off by 2^-21 at most.
+ZERKALO_INLINE Quads near_halves(Doubles x, Doubles whole) {
+    constexpr double kNearHalf = 0.5 - 0x1p-20;
+    const Doubles off = x - whole;
+    return Quads(Doubles(Quads(off) & kMostLong) > kNearHalf);
+}
+
 /// The integer nearest to a / b, ties away from zero, held at the ends; of a / 0 the end of a's sign, of 0 / 0 the
 /// upper one. `quotient`: a / b, off by 2^-21 at most where it fits; `whole()`: a itself, asked for where that cannot
 /// tell.
 template <class Whole>
 ZERKALO_INLINE Words settled_quotient(const DoubleParts& quotient, Words b, const Whole& whole) {
-    constexpr double kMost = double(kMostWord), kNearHalf = 0.5 - 0x1p-20;
+    constexpr double kMost = double(kMostWord);
     const DoubleParts within = each_part(
         [](Doubles q) ZERKALO_INLINE_LAMBDA {
             // 0 / 0 is no number, and not less than any.
@@ -48,11 +56,7 @@ ZERKALO_INLINE Words settled_quotient(const DoubleParts& quotient, Words b, cons
     const DoubleParts rounded =
         each_part([](Doubles q) ZERKALO_INLINE_LAMBDA { return q + 0x1.8p52; }, within);
     const Longs close = each_part(
-        [](Doubles q, Doubles r) ZERKALO_INLINE_LAMBDA {
-            const Doubles off = q - (r - 0x1.8p52);
-            return Quads(Doubles(Quads(off) & kMostLong) > kNearHalf);
-        },
-        within, rounded);
+        [](Doubles q, Doubles r) ZERKALO_INLINE_LAMBDA { return near_halves(q, r - 0x1.8p52); }, within, rounded);
     const Words q = alternating(Words(rounded.even), Words(UnsignedQuads(rounded.odd) << 32));
     if (signs_of(Words(close.even | close.odd)) == 0) return q;
     return q + (last_step(whole(), b, q) & narrow_mask(close));

@@ -35,9 +35,9 @@ ZERKALO_ONCE LengthParts exact_length_of(const UnsignedLongs& square) {
         length);
     return {length, inverse};
 }
-/// The same by the float unit, which is off by 2^-20 at most, and exactly only where that cannot tell.
+/// The same by the float unit, and exactly only where that cannot tell.
 ZERKALO_INLINE LengthParts length_of(const UnsignedLongs& x, const UnsignedLongs& y, const UnsignedLongs& z) {
-    constexpr double kNearHalf = 0.5 - 0x1p-20, kShift = 0x1p52, kMost = 0xffffffffp0;
+    constexpr double kShift = 0x1p52, kMost = 0xffffffffp0;
     const UnsignedLongs square = each_part(
         [](UnsignedQuads a, UnsignedQuads b, UnsignedQuads c) ZERKALO_INLINE_LAMBDA {
             return low_product(a, a) + low_product(b, b) + low_product(c, c);
@@ -45,8 +45,8 @@ ZERKALO_INLINE LengthParts length_of(const UnsignedLongs& x, const UnsignedLongs
         x, y, z);
     Quads unsettled{};
     const auto rounded = [&unsettled](Doubles exact) ZERKALO_INLINE_LAMBDA {
-        const Doubles shifted = exact + kShift, off = exact - (shifted - kShift);
-        unsettled |= Quads(Doubles(Quads(off) & kMostLong) > kNearHalf);
+        const Doubles shifted = exact + kShift;
+        unsettled |= near_halves(exact, shifted - kShift);
         return shifted;
     };
     const DoubleParts length = each_part(

@@ -114,6 +114,12 @@ ZERKALO_INLINE std::uint32_t float_bits_of(std::int64_t x, int exponent) {
     return (static_cast<std::uint32_t>(biased - 1) << 23) + static_cast<std::uint32_t>(kept);
 }
 
+/// One pixel of the tile, from the bits of its floats.
+ZERKALO_INLINE void write_pixel(const Tile& tile, const LinearImage& image, int pixel, const std::uint32_t (&bits)[3]) {
+    float* out = image.row(tile.top + pixel / kTileSide) + 3 * (tile.left + pixel % kTileSide);
+    __builtin_memcpy(out, bits, sizeof bits);
+}
+
 /// The tile's part of the picture.
 template <class R>
 ZERKALO_INLINE void write_tile(const FixedPlan& plan, const FixedColours& colours, const Tile& tile,
@@ -132,11 +138,10 @@ ZERKALO_INLINE void write_tile(const FixedPlan& plan, const FixedColours& colour
     for (std::uint64_t left = tile.pixels; left != 0; left &= left - 1) {
         const int pixel = first_of(left);
         const int place = place_of_pixel<R>(pixel);
-        float* out = image.row(tile.top + pixel / kTileSide) + 3 * (tile.left + pixel % kTileSide);
         const std::uint32_t bits[3] = {float_bits_of(colours.r[place], exponent),
                                        float_bits_of(colours.g[place], exponent),
                                        float_bits_of(colours.b[place], exponent)};
-        __builtin_memcpy(out, bits, sizeof bits);
+        write_pixel(tile, image, pixel, bits);
     }
 }
 
@@ -157,9 +162,7 @@ ZERKALO_INLINE void fill_tile(const FixedPlan& plan, const Tile& tile, const Lin
         return;
     }
     for (std::uint64_t left = tile.pixels; left != 0; left &= left - 1) {
-        const int pixel = first_of(left);
-        float* out = image.row(tile.top + pixel / kTileSide) + 3 * (tile.left + pixel % kTileSide);
-        __builtin_memcpy(out, bits, sizeof bits);
+        write_pixel(tile, image, first_of(left), bits);
     }
 }
 

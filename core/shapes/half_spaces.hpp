@@ -55,6 +55,7 @@ ZERKALO_INLINE void clip(Span<N>& span, const S& slab, const SlabOrigin<M>& from
     }
 }
 
+/// Whether no lane's span holds anything.
 template <class N>
 ZERKALO_INLINE bool is_empty(const Span<N>& span) {
     return none(span.entry <= span.exit);
