@@ -1,18 +1,22 @@
 #!/usr/bin/env bash
-# The checks that take too long for every build: many more rays than the tests have, and the mutants.
+# The checks that take too long for every build: many more rays than the tests have, the mutants, and every test by every
+# compiler, with sanitizers and under emulation, where tools/test.sh asks what depends on these alone.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 usage() {
     cat <<'END'
-Usage: tools/long_checks.sh [--rays N] [--leak-rays N] [--only oracle|leaks|mutants]...
+Usage: tools/long_checks.sh [--rays N] [--leak-rays N] [--only CHECK]...
 
-  oracle   every primitive against its closed form, N rays each (default 100000000; the tests have a million)
-  leaks    N rays at edges and vertices of prisms and pyramids (default 1000000000; the tests have a million)
-  mutants  tools/mutants/run.py: every formula made wrong must be caught by a law
+  oracle      every primitive against its closed form, N rays each (default 100000000; the tests have a million)
+  leaks       N rays at edges and vertices of prisms and pyramids (default 1000000000; the tests have a million)
+  mutants     tools/mutants/run.py: every formula made wrong must be caught by a law
+  gcc         every test of the build by GCC (preset gcc)
+  arm         every test of the build for 64-bit ARM, under emulation (preset aarch64)
+  sanitizers  every test of every kernel with the address and undefined behaviour sanitizers (preset asan-ubsan)
 
-Needs what tools/test.sh installs. One after the other; oracle takes all processors. On two: a quarter of an hour for
-oracle, ten minutes for leaks, forty minutes for mutants. Logs: build/long_checks/.
+Needs what tools/test.sh installs. One after the other, with all processors. On two: a quarter of an hour for oracle, ten
+minutes for leaks, forty for mutants, ten to thirty for each of the others. Logs: build/long_checks/.
 Exit code: 0 all hold, 1 something does not, 2 wrong command line.
 END
 }
@@ -28,14 +32,14 @@ while [ $# -gt 0 ]; do
             if [ "$1" = --rays ]; then rays=$2; else leak_rays=$2; fi
             shift 2 ;;
         --only)
-            [[ ${2:-} =~ ^(oracle|leaks|mutants)$ ]] ||
-                { echo "long_checks.sh: --only oracle, leaks or mutants" >&2; exit 2; }
+            [[ ${2:-} =~ ^(oracle|leaks|mutants|gcc|arm|sanitizers)$ ]] ||
+                { echo "long_checks.sh: --only oracle, leaks, mutants, gcc, arm or sanitizers" >&2; exit 2; }
             only+=("$2")
             shift 2 ;;
         *) echo "long_checks.sh: unknown argument \"$1\"; see --help" >&2; exit 2 ;;
     esac
 done
-[ ${#only[@]} -gt 0 ] || only=(oracle leaks mutants)
+[ ${#only[@]} -gt 0 ] || only=(oracle leaks mutants gcc arm sanitizers)
 
 logs=build/long_checks
 program=build/release/tests/oracle/oracle_test
@@ -60,6 +64,18 @@ run_leaks() { ZERKALO_LEAK_RAYS=$leak_rays "$program" --gtest_brief=1 --gtest_fi
 
 run_mutants() { tools/mutants/run.py --jobs "$(nproc)" --markdown "$logs/mutants.md"; }
 
+# every_test PRESET OPTION...: builds the preset in a folder of its own and runs all of its tests, whatever it leaves out.
+every_test() {
+    local folder=build/long_checks/$1
+    cmake --preset "$1" -B "$folder" "${@:2}" >"$logs/build.log" && cmake --build "$folder" --parallel >>"$logs/build.log" ||
+        { tail -n 40 "$logs/build.log"; return 1; }
+    ctest --test-dir "$folder" --parallel "$(nproc)" --output-on-failure |
+        grep -vE '^ +Start +[0-9]+:|[0-9]+/[0-9]+ Test +#[0-9]+: .* Passed '
+}
+run_gcc() { every_test gcc; }
+run_arm() { every_test aarch64; }
+run_sanitizers() { every_test asan-ubsan -D ZERKALO_FEW_KERNELS=OFF; }
+
 # check NAME WHAT: runs it, shows and keeps its output, and notes how it ended and how long it took.
 check() {
     echo "== $1: $2"
@@ -74,6 +90,9 @@ for name in "${only[@]}"; do
         oracle) check oracle "$rays rays a primitive" ;;
         leaks) check leaks "$leak_rays rays at edges and vertices" ;;
         mutants) check mutants "$(tools/mutants/run.py --check)" ;;
+        gcc) check gcc "every test, built by GCC" ;;
+        arm) check arm "every test for 64-bit ARM" ;;
+        sanitizers) check sanitizers "every test of every kernel, sanitized" ;;
     esac
 done
 echo "== summary"

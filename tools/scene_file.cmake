@@ -29,5 +29,10 @@ target_include_directories(zerkalo_scene_file SYSTEM PRIVATE ${ZERKALO_TOMLPLUSP
 target_compile_definitions(zerkalo_scene_file PRIVATE TOML_HEADER_ONLY=1 TOML_EXCEPTIONS=0 TOML_ENABLE_FORMATTERS=0)
 target_compile_options(zerkalo_scene_file PRIVATE -fno-exceptions)
 target_link_libraries(zerkalo_scene_file PUBLIC zerkalo::core PRIVATE zerkalo_options)
+# toml++ is parsed once, for those that read its tables.
+target_precompile_headers(zerkalo_scene_file PRIVATE scene_file/toml_tree.hpp)
+foreach(part decimal_comma diagnostic file_bytes nesting report source_text stl stl_ascii suggestion utf8)
+  set_source_files_properties(scene_file/${part}.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+endforeach()
 # GCC 12 mistakes concatenations of std::string for overlapping copies (GCC bug 105651).
 target_compile_options(zerkalo_scene_file PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)

@@ -32,5 +32,6 @@ add_library(zerkalo_stability STATIC
   stability/taper_rows.cpp)
 target_include_directories(zerkalo_stability PUBLIC ${PROJECT_SOURCE_DIR})
 target_link_libraries(zerkalo_stability PUBLIC zerkalo_staging zerkalo::core PRIVATE zerkalo_options Threads::Threads)
+target_precompile_headers(zerkalo_stability PRIVATE stability/stiff_case.hpp)
 # Fixed point without a picture is asked where it stands: in the headers of the core.
 target_include_directories(zerkalo_stability SYSTEM PRIVATE $<TARGET_PROPERTY:xsimd,INTERFACE_INCLUDE_DIRECTORIES>)

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Every test, on a bare Debian 12 too: installs what is missing, then builds and tests for this machine (preset release),
-# for 64-bit ARM under emulation (preset aarch64; there without the tests of the oracle, which is no part of zerkalo), and
-# for this machine again with the address and undefined behaviour sanitizers (preset asan-ubsan; without the proofs about
-# objects and sources, which have builds of their own). Laws that average thousands of pictures or directions are asked
-# of the first build alone: that its bytes are those of ARM, and that its reads and writes are sound, others tell. So is one
-# lane compiled for each instruction set of its own.
+# for 64-bit ARM under emulation (preset aarch64), and for this machine again with the address and undefined behaviour
+# sanitizers (preset asan-ubsan: one lane and AVX2; without the proofs about objects and sources, which have builds of
+# their own). Laws that average thousands of pictures, directions or rays are asked of the first build alone: that its
+# bytes are those of ARM, and that its reads and writes are sound, others tell. CMakePresets.json names what is left out;
+# tools/long_checks.sh leaves out nothing.
 # The last line is the total: "N passed, N failed".
 # Exit code 0 only when something ran and nothing failed; a build that fails counts as one failed test.
 set -euo pipefail

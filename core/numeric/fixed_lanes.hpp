@@ -217,8 +217,11 @@ ZERKALO_INLINE constexpr Wide wide_product(std::uint64_t a, std::uint64_t b) {
 /// a b / 2^Shift of the exact 128-bit product, to nearest, ties upwards; all bits set where 64 are too few.
 template <int Shift>
 ZERKALO_INLINE constexpr std::uint64_t rescaled_wide(std::uint64_t a, std::uint64_t b) {
-    static_assert(Shift > 0 && Shift < 64);
+    static_assert(Shift > 0 && Shift != 64 && Shift < 128);
     Wide wide = wide_product(a, b);
+    if constexpr (Shift > 64) {
+        return checked_sum(wide.high, std::uint64_t{1} << (Shift - 65), "rescaled_wide") >> (Shift - 64);
+    }
     const std::uint64_t low = wide.low + (std::uint64_t{1} << (Shift - 1));
     wide.high += low < wide.low;
     return wide.high >> Shift == 0 ? (wide.high << (64 - Shift)) | (low >> Shift) : ~std::uint64_t{0};

@@ -203,14 +203,28 @@ ZERKALO_INLINE To share_product(Fixed<A, FA> a, Fixed<B, FB> b) {
         rescaled_wide_product<(FA + FB).fraction - To::kFraction>(registers_of(a.raw), registers_of(b.raw)));
 }
 
-/// As a word, of 64 bits by 64 bits.
+/// 64 bits times 64 bits as a word, rounded once.
 template <class To, class A, Format FA, class B, Format FB>
     requires InVectors<A, B> && (!SingleWord<A>) && (!SingleWord<B>) && SingleWord<typename To::Representation> &&
+             ((FA + FB).fraction - To::kFraction > 64)
+ZERKALO_INLINE To product(Fixed<A, FA> a, Fixed<B, FB> b) {
+    return fixed_of<To::kFormat>(rescaled_wide_product_words<(FA + FB).fraction - To::kFraction>(
+        registers_of(a.raw), registers_of(b.raw)));
+}
+
+/// As a word, by 64 bits.
+template <class To, class A, Format FA, class B, Format FB>
+    requires InVectors<A, B> && (!SingleWord<B>) && SingleWord<typename To::Representation> &&
              (Fixed<A, FA>::kValueBits + To::kFraction - FA.fraction + FB.fraction > 63)
 ZERKALO_INLINE To quotient(Fixed<A, FA> a, Fixed<B, FB> b) {
     constexpr int kShift = To::kFraction - FA.fraction + FB.fraction;
-    return with_format<To::kFormat>(
-        long_quotient_words<kShift>(VectorLongs(registers_of(a.raw)), VectorLongs(registers_of(b.raw))));
+    const VectorLongs divisor(registers_of(b.raw));
+    if constexpr (SingleWord<A>) {
+        return with_format<To::kFormat>(
+            long_quotient_words<kShift>(VectorLongs(widened(registers_of(a.raw))), divisor));
+    } else {
+        return with_format<To::kFormat>(long_quotient_words<kShift>(VectorLongs(registers_of(a.raw)), divisor));
+    }
 }
 
 /// A word as the quotient by a word.

@@ -233,6 +233,23 @@ ZERKALO_INLINE Quads rescaled_wide_product(Quads a, Quads b) {
     const Quads whole = Quads((high << (64 - Shift)) | rest);
     return where_negative(Quads(high >> (Shift - 1) != 0), Quads{} + kMostLong, whole);
 }
+/// The same as words from more than 64 bits down, with signs.
+template <int Shift>
+ZERKALO_INLINE Words rescaled_wide_product_words(const Longs& a, const Longs& b) {
+    static_assert(Shift > 64 && Shift < 128);
+    const Words sign = sign_of(high_words(a) ^ high_words(b));
+    const Longs size = each_part(
+        [](Quads x, Quads y) ZERKALO_INLINE_LAMBDA {
+            const UnsignedQuads p = magnitude_of(x), q = magnitude_of(y);
+            const UnsignedQuads one = low_product(p >> 32, q) + (low_product(p, q) >> 32);
+            const UnsignedQuads two = low_product(p, q >> 32) + (one & 0xffffffffu);
+            const UnsignedQuads high = low_product(p >> 32, q >> 32) + (one >> 32) + (two >> 32);
+            const Quads whole = Quads((high + (std::uint64_t{1} << (Shift - 65))) >> (Shift - 64));
+            return whole > kMostWord ? Quads{} + kMostWord : whole;
+        },
+        a, b);
+    return (low_words(size) ^ sign) - sign;
+}
 template <int Shift>
 ZERKALO_INLINE Longs rescaled_wide_product(const Longs& a, const Longs& b) {
     return each_part(

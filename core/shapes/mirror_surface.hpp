@@ -53,7 +53,7 @@ ZERKALO_INLINE MirrorHit<N> curved_candidate(const S& m, Vec3<Length<N>> o, Vec3
     using D = Direction<N>;
     const Vec3<L> p = o + as<L>(d * along);
     const L t = along + shift;
-    const auto near = as<D>(p.z * Curvature<N>(m.kappa)) < D(1);
+    const auto near = product<D>(p.z, Curvature<N>(m.kappa)) < D(1);
     const auto ahead = ahead_of(t_min, t, along);
     const auto exists = ahead & near;
     return {MaskOf<N>(exists & inside_boundary(m.boundary, p.x, p.y)), t, p.x, p.y, p.z};
@@ -67,9 +67,9 @@ ZERKALO_INLINE MirrorHit<N> curved_mirror_hit(const S& m, Vec3<O> from, Vec3<Dir
     const L shift = -as<L>(dot(from, d_local));
     const Vec3<L> o = from + as<L>(d_local * shift);
     const auto kappa = Curvature<N>(m.kappa);
-    const D b = as<D>(kappa * as<L>(dot(o, d_local))) - D(d_local.z);
+    const D b = product<D>(as<L>(dot(o, d_local)), kappa) - D(d_local.z);
     const L c = product<L>(kappa, dot(o, o)) - (o.z + o.z);
-    const auto disc = as<Square<N>>(b * b) - as<Square<N>>(kappa * c);
+    const auto disc = as<Square<N>>(b * b) - product<Square<N>>(c, kappa);
     const auto meets = disc >= Square<N>(0);
     if (none(meets)) return {meets, shift, shift, shift, shift};
     const auto roots = roots_of_quadratic<L, D, D>(kappa, b, c, max(disc, Square<N>(0)));
@@ -86,7 +86,7 @@ ZERKALO_INLINE MirrorHit<N> own_chord_hit(const S& m, Vec3<O> on_surface, Vec3<D
     using L = Length<N>;
     using D = Direction<N>;
     const auto kappa = Curvature<N>(m.kappa);
-    const D b = as<D>(kappa * as<L>(dot(on_surface, d_local))) - D(d_local.z);
+    const D b = product<D>(as<L>(dot(on_surface, d_local)), kappa) - D(d_local.z);
     const L chord = quotient<L>(-(b + b), kappa);
     return curved_candidate<N>(m, on_surface, d_local, chord, L(0), t_min);
 }
@@ -96,7 +96,7 @@ template <class S, class L>
 ZERKALO_INLINE Vec3<Direction<L>> mirror_normal(const S& m, L x, L y, L z) {
     using D = Direction<L>;
     const auto kappa = Curvature<L>(m.kappa);
-    return as<D>(m.right * (-as<D>(kappa * x)) + m.v * (-as<D>(kappa * y)) + m.n * (D(1) - as<D>(kappa * z)));
+    return as<D>(m.right * (-product<D>(x, kappa)) + m.v * (-product<D>(y, kappa)) + m.n * (D(1) - product<D>(z, kappa)));
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

@@ -62,8 +62,17 @@ TEST(FixedProduct, OfThreeWordsIsRoundedOnce) {
     for (int i = 0; i < kDraws; ++i) {
         const std::int32_t a = draw32(random);
         const std::int64_t b = draw64(random);
-        const auto p = product<Len>(Curvature<One>::from_raw(a), Area<One>::from_raw(b));
+        const auto p = product<Len>(Ratio<One>::from_raw(a), Area<One>::from_raw(b));
         ASSERT_TRUE(p.raw == clamped(nearest_ratio(Wide{a} * b, Wide{1} << 54), kEnd32)) << a << " * " << b;
+    }
+}
+
+TEST(FixedProduct, OfFourWordsIsRoundedOnce) {
+    Random random(8);
+    for (int i = 0; i < kDraws; ++i) {
+        const std::int64_t a = draw64(random), b = draw64(random);
+        const auto p = product<Len>(Curvature<One>::from_raw(a), Area<One>::from_raw(b));
+        ASSERT_TRUE(p.raw == clamped(nearest_ratio(Wide{a} * b, Wide{1} << 86), kEnd32)) << a << " * " << b;
     }
 }
 

@@ -23,8 +23,8 @@ inline FixedBoundary random_boundary(Random& random, Real80 size) {
     if (kind == 0) return b;
     if (kind == 1) {
         b.shape = BoundaryShape::ellipse;
-        b.inverse_a = nearest<Curvature<One>>(1 / size);
-        b.inverse_b = nearest<Curvature<One>>(1 / (size * random.uniform(0.5, 1)));
+        b.inverse_a = nearest<Inverse<One>>(1 / size);
+        b.inverse_b = nearest<Inverse<One>>(1 / (size * random.uniform(0.5, 1)));
         return b;
     }
     b.shape = BoundaryShape::polygon;

@@ -25,7 +25,7 @@ struct FixedBoundary {
     BoundaryShape shape;
     std::int32_t corner_count;
     Len half_width, half_height;
-    Curvature<One> inverse_a, inverse_b;
+    Inverse<One> inverse_a, inverse_b;
     FixedHalfPlane edges[3];
 };
 

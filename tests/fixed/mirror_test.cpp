@@ -139,6 +139,23 @@ TEST(FixedCurvedMirror, OwnChordEndsAtTheSecondPointOfTheSurface) {
     EXPECT_GT(compared, 2000);
 }
 
+TEST(FixedCurvedMirror, OfAThousandMillionTimesItsSizeStillBendsByItsSteps) {
+    using N = FixedNumbers<1>;
+    const ExactFrame axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (const Real80 kappa : {1e-9L, -1e-9L, 2e-8L}) {
+        const FixedMirror mirror = fixed_mirror({0, 0, 0}, axes, kappa, fixed_rectangle(15, 15));
+        for (int k = 0; k <= 64; ++k) {
+            const Real80 x = k / 8.0L;
+            const Vec3<Len> o = nearest<Len>(Exact3{x, 0, 1});
+            const auto hit = curved_mirror_hit<N>(mirror, o, nearest<Dir>(Exact3{0, 0, -1}), Len(0));
+            ASSERT_TRUE(hit.hit) << double(x);
+            // 1 - kappa x^2 / 2: 4 steps of 7.5e-9 at the far end of 1e-9.
+            const Real80 steps = std::ldexp(1 - kappa * x * x / 2, Len::kFraction);
+            EXPECT_NEAR(double(hit.t.raw), double(steps), 1) << double(kappa) << " at " << double(x);
+        }
+    }
+}
+
 TEST(FixedCurvedMirror, APlaneNeverMeetsItself) {
     using N = FixedNumbers<1>;
     const ExactFrame axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};

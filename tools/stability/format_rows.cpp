@@ -109,7 +109,6 @@ double s68_naive() {
 // S69. kappa |o|^2, the term that tells a mirror of R = 1e9 from a plane, for points o of the scene's box.
 
 constexpr double kKappa = 1e-9;
-constexpr int kExponent = 29;  // kappa = mantissa 2^-29 with a mantissa from 1/2 to 1
 constexpr double kFarthest = 8;
 constexpr int kPoints = 64;
 
@@ -137,13 +136,8 @@ double s69_ours(const Stage& stage) {
     return worst_of_widths([](auto width) {
         using N = FixedNumbers<decltype(width)::value>;
         return largest_error([](const Area<FixedNumbers<1>>& area, double kappa) {
-            const auto mantissa = nearest<Direction<FixedNumbers<1>>>(std::ldexp(kappa, kExponent));
-            // The exact product, rounded once: Q1.30 times Q9.54, the block exponent, to Q4.27.
-            constexpr int kShift = 30 + kExponent + 54 - 27;
-            const auto product = each_lane(
-                [](std::int32_t m, std::int64_t x) { return rescaled_product<std::int32_t, kShift>(m, x); },
-                Direction<N>(mantissa).raw, Area<N>(area).raw);
-            return double(lane_of(product, 0));
+            const Curvature<N> curvature(nearest<Curvature<FixedNumbers<1>>>(kappa));
+            return double(lane_of(product<Length<N>>(curvature, Area<N>(area)).raw, 0));
         });
     });
 }
@@ -161,7 +155,7 @@ constexpr StiffCase kRows[] = {
      "at the end of the format, or exact to a step; the picture of size 1; refused", "wrong results", 0, s68_ours,
      s68_naive},
     {"S69", "a mirror with kappa = 1e-9: kappa |o|^2", "kappa is 0 in the format of lengths: a plane",
-     "in fixed point, with a block exponent, right to half a step", "steps of 2^-27", 0.5 + 1e-6, s69_ours,
+     "in fixed point, with 59 bits behind the point, right to half a step", "steps of 2^-27", 0.5 + 1e-6, s69_ours,
      s69_naive},
 };
 
