@@ -46,6 +46,11 @@ ZERKALO_INLINE auto registers_of(const A& raw) {
         return all_longs(raw);
     }
 }
+template <class A>
+ZERKALO_INLINE Longs longs_of(const A& raw) {
+    if constexpr (SingleWord<A>) return widened(registers_of(raw));
+    else return registers_of(raw);
+}
 /// Of a word: a uniform factor needs no odd lanes of its own.
 template <class A>
 ZERKALO_INLINE auto factor_of(const A& raw) {
@@ -205,8 +210,7 @@ ZERKALO_INLINE To share_product(Fixed<A, FA> a, Fixed<B, FB> b) {
 
 /// 64 bits times 64 bits as a word, rounded once.
 template <class To, class A, Format FA, class B, Format FB>
-    requires InVectors<A, B> && (!SingleWord<A>) && (!SingleWord<B>) && SingleWord<typename To::Representation> &&
-             ((FA + FB).fraction - To::kFraction > 64)
+    requires InVectors<A, B> && (!SingleWord<A>) && (!SingleWord<B>) && SingleWord<typename To::Representation>
 ZERKALO_INLINE To product(Fixed<A, FA> a, Fixed<B, FB> b) {
     return fixed_of<To::kFormat>(rescaled_wide_product_words<(FA + FB).fraction - To::kFraction>(
         registers_of(a.raw), registers_of(b.raw)));
@@ -218,13 +222,8 @@ template <class To, class A, Format FA, class B, Format FB>
              (Fixed<A, FA>::kValueBits + To::kFraction - FA.fraction + FB.fraction > 63)
 ZERKALO_INLINE To quotient(Fixed<A, FA> a, Fixed<B, FB> b) {
     constexpr int kShift = To::kFraction - FA.fraction + FB.fraction;
-    const VectorLongs divisor(registers_of(b.raw));
-    if constexpr (SingleWord<A>) {
-        return with_format<To::kFormat>(
-            long_quotient_words<kShift>(VectorLongs(widened(registers_of(a.raw))), divisor));
-    } else {
-        return with_format<To::kFormat>(long_quotient_words<kShift>(VectorLongs(registers_of(a.raw)), divisor));
-    }
+    return with_format<To::kFormat>(
+        long_quotient_words<kShift>(VectorLongs(longs_of(a.raw)), VectorLongs(registers_of(b.raw))));
 }
 
 /// A word as the quotient by a word.
