@@ -221,10 +221,11 @@ ZERKALO_INLINE constexpr std::uint64_t rescaled_wide(std::uint64_t a, std::uint6
     Wide wide = wide_product(a, b);
     if constexpr (Shift > 64) {
         return checked_sum(wide.high, std::uint64_t{1} << (Shift - 65), "rescaled_wide") >> (Shift - 64);
+    } else {
+        const std::uint64_t low = wide.low + (std::uint64_t{1} << (Shift - 1));
+        wide.high += low < wide.low;
+        return wide.high >> Shift == 0 ? (wide.high << (64 - Shift)) | (low >> Shift) : ~std::uint64_t{0};
     }
-    const std::uint64_t low = wide.low + (std::uint64_t{1} << (Shift - 1));
-    wide.high += low < wide.low;
-    return wide.high >> Shift == 0 ? (wide.high << (64 - Shift)) | (low >> Shift) : ~std::uint64_t{0};
 }
 
 /// The same for numbers with a sign, ties away from zero, held at the ends of To.

@@ -212,14 +212,22 @@ ZERKALO_ONCE VectorWords long_quotient_words(const VectorLongs& a, const VectorL
     return VectorWords((where_negative(fits, size, all_words(kMostWord)) ^ end) - end);
 }
 
+/// p q is low modulo 2^32 and two 2^32 + top 2^64 above it: the high half of `two` is still to be carried.
+struct WideLimbs {
+    UnsignedQuads low, two, top;
+};
+ZERKALO_INLINE WideLimbs limbs_of_product(UnsignedQuads p, UnsignedQuads q) {
+    const UnsignedQuads low = low_product(p, q);
+    const UnsignedQuads one = low_product(p >> 32, q) + (low >> 32);
+    return {low, low_product(p, q >> 32) + (one & 0xffffffffu), low_product(p >> 32, q >> 32) + (one >> 32)};
+}
+
 /// rescaled_wide_product() to 64 bits of two numbers >= 0.
 template <int Shift>
 ZERKALO_INLINE Quads rescaled_wide_product(Quads a, Quads b) {
     static_assert(Shift > 0 && Shift < 64);
-    const UnsignedQuads p = UnsignedQuads(a), q = UnsignedQuads(b);
-    const UnsignedQuads low = low_product(p, q);
-    const UnsignedQuads one = low_product(p >> 32, q) + (low >> 32);
-    UnsignedQuads two = low_product(p, q >> 32) + (one & 0xffffffffu), rest{};
+    auto [low, two, top] = limbs_of_product(UnsignedQuads(a), UnsignedQuads(b));
+    UnsignedQuads rest{};
     if constexpr (Shift > 32) {
         // The half that rounds is of the second word and upwards; there is room for it.
         two += std::uint64_t{1} << (Shift - 33);
@@ -229,10 +237,16 @@ ZERKALO_INLINE Quads rescaled_wide_product(Quads a, Quads b) {
         two += rounded >> 32;
         rest = ((two << 32) | (rounded & 0xffffffffu)) >> Shift;
     }
-    const UnsignedQuads high = low_product(p >> 32, q >> 32) + (one >> 32) + (two >> 32);
+    const UnsignedQuads high = top + (two >> 32);
     const Quads whole = Quads((high << (64 - Shift)) | rest);
     return where_negative(Quads(high >> (Shift - 1) != 0), Quads{} + kMostLong, whole);
 }
+template <int Shift>
+ZERKALO_INLINE Longs rescaled_wide_product(const Longs& a, const Longs& b) {
+    return each_part(
+        [](Quads x, Quads y) ZERKALO_INLINE_LAMBDA { return rescaled_wide_product<Shift>(x, y); }, a, b);
+}
+
 /// The same as words from more than 64 bits down, with signs.
 template <int Shift>
 ZERKALO_INLINE Words rescaled_wide_product_words(const Longs& a, const Longs& b) {
@@ -240,20 +254,13 @@ ZERKALO_INLINE Words rescaled_wide_product_words(const Longs& a, const Longs& b)
     const Words sign = sign_of(high_words(a) ^ high_words(b));
     const Longs size = each_part(
         [](Quads x, Quads y) ZERKALO_INLINE_LAMBDA {
-            const UnsignedQuads p = magnitude_of(x), q = magnitude_of(y);
-            const UnsignedQuads one = low_product(p >> 32, q) + (low_product(p, q) >> 32);
-            const UnsignedQuads two = low_product(p, q >> 32) + (one & 0xffffffffu);
-            const UnsignedQuads high = low_product(p >> 32, q >> 32) + (one >> 32) + (two >> 32);
+            const WideLimbs limbs = limbs_of_product(magnitude_of(x), magnitude_of(y));
+            const UnsignedQuads high = limbs.top + (limbs.two >> 32);
             const Quads whole = Quads((high + (std::uint64_t{1} << (Shift - 65))) >> (Shift - 64));
             return whole > kMostWord ? Quads{} + kMostWord : whole;
         },
         a, b);
     return (low_words(size) ^ sign) - sign;
-}
-template <int Shift>
-ZERKALO_INLINE Longs rescaled_wide_product(const Longs& a, const Longs& b) {
-    return each_part(
-        [](Quads x, Quads y) ZERKALO_INLINE_LAMBDA { return rescaled_wide_product<Shift>(x, y); }, a, b);
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA

@@ -96,7 +96,8 @@ template <class S, class L>
 ZERKALO_INLINE Vec3<Direction<L>> mirror_normal(const S& m, L x, L y, L z) {
     using D = Direction<L>;
     const auto kappa = Curvature<L>(m.kappa);
-    return as<D>(m.right * (-product<D>(x, kappa)) + m.v * (-product<D>(y, kappa)) + m.n * (D(1) - product<D>(z, kappa)));
+    const D across = -product<D>(x, kappa), upwards = -product<D>(y, kappa), forward = D(1) - product<D>(z, kappa);
+    return as<D>(m.right * across + m.v * upwards + m.n * forward);
 }
 
 }  // namespace zerkalo::inline ZERKALO_ISA
