@@ -36,11 +36,16 @@ std::vector<NamedTable> tables() {
     std::vector<NamedTable> all{{"1", quantity_table<FixedNumbers<1>>()},
                                 {"4", quantity_table<FixedNumbers<4>>()},
                                 {"8", quantity_table<FixedNumbers<8>>()}};
-#if defined(__x86_64__) && !defined(ZERKALO_SCALAR_ONLY)
+#if defined(ZERKALO_HAS_sse4_2)
     all.push_back({"sse4_2", kQuantities_sse4_2});
+#endif
+#if defined(ZERKALO_HAS_avx2)
     all.push_back({"avx2", kQuantities_avx2});
+#endif
+#if defined(ZERKALO_HAS_avx512)
     all.push_back({"avx512", kQuantities_avx512});
-#elif defined(__aarch64__) && !defined(ZERKALO_SCALAR_ONLY)
+#endif
+#if defined(ZERKALO_HAS_neon)
     all.push_back({"neon", kQuantities_neon});
 #endif
     return all;

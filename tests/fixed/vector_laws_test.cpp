@@ -31,18 +31,21 @@ TEST_P(VectorLanes, GiveTheIntegersOfOneLane) {
 }
 
 std::vector<NamedLaws> all_laws() {
-#if defined(ZERKALO_SCALAR_ONLY)
-    return {};
-#elif defined(__x86_64__)
-    return {{"sse4_2", Isa::sse4_2, kLaws_sse4_2},
-            {"avx2", Isa::avx2, kLaws_avx2},
-            {"avx512", Isa::avx512, kLaws_avx512},
-            {"avx512_general", Isa::avx512, kLaws_avx512_general}};
-#elif defined(__aarch64__)
-    return {{"neon", Isa::neon, kLaws_neon}};
-#else
-    return {};
+    std::vector<NamedLaws> all;
+#if defined(ZERKALO_HAS_sse4_2)
+    all.push_back({"sse4_2", Isa::sse4_2, kLaws_sse4_2});
 #endif
+#if defined(ZERKALO_HAS_avx2)
+    all.push_back({"avx2", Isa::avx2, kLaws_avx2});
+#endif
+#if defined(ZERKALO_HAS_avx512)
+    all.push_back({"avx512", Isa::avx512, kLaws_avx512});
+    all.push_back({"avx512_general", Isa::avx512, kLaws_avx512_general});
+#endif
+#if defined(ZERKALO_HAS_neon)
+    all.push_back({"neon", Isa::neon, kLaws_neon});
+#endif
+    return all;
 }
 INSTANTIATE_TEST_SUITE_P(Lanes, VectorLanes, testing::ValuesIn(all_laws()), testing::PrintToStringParamName());
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(VectorLanes);

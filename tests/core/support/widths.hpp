@@ -29,20 +29,25 @@ inline void PrintTo(const Width& width, std::ostream* out) { *out << text(width)
 
 inline std::vector<Width> all_widths() {
     using namespace probes;
-    const auto pair = [](Isa isa, const ProbePair& of) {
-        return std::vector<Width>{{isa, &of.serial}, {isa, &of.wide}};
-    };
     std::vector<Width> widths{{Isa::scalar, &kProbes_scalar.wide}};
-    const auto add = [&](const std::vector<Width>& more) { widths.insert(widths.end(), more.begin(), more.end()); };
-#if defined(__x86_64__) && !defined(ZERKALO_SCALAR_ONLY)
-    add(pair(Isa::sse2, kProbes_sse2));
-    add(pair(Isa::sse4_2, kProbes_sse4_2));
-    add(pair(Isa::avx2, kProbes_avx2));
-    add(pair(Isa::avx512, kProbes_avx512));
-#elif defined(__aarch64__) && !defined(ZERKALO_SCALAR_ONLY)
-    add(pair(Isa::neon, kProbes_neon));
-#else
-    (void)pair, (void)add;
+    [[maybe_unused]] const auto add = [&](Isa isa, const ProbePair& of) {
+        widths.push_back({isa, &of.serial});
+        widths.push_back({isa, &of.wide});
+    };
+#if defined(ZERKALO_HAS_sse2)
+    add(Isa::sse2, kProbes_sse2);
+#endif
+#if defined(ZERKALO_HAS_sse4_2)
+    add(Isa::sse4_2, kProbes_sse4_2);
+#endif
+#if defined(ZERKALO_HAS_avx2)
+    add(Isa::avx2, kProbes_avx2);
+#endif
+#if defined(ZERKALO_HAS_avx512)
+    add(Isa::avx512, kProbes_avx512);
+#endif
+#if defined(ZERKALO_HAS_neon)
+    add(Isa::neon, kProbes_neon);
 #endif
     return widths;
 }

@@ -24,12 +24,12 @@ namespace {
 // No lane width divides the columns; both sides end inside a tile.
 constexpr Settings kSettings{.width = 45, .height = 33, .samples = 5};
 
-#if defined(ZERKALO_FEW_KERNELS) && defined(__x86_64__)
-constexpr StageFunction kStages[kIsaCount] = {stages_scalar, nullptr, nullptr, stages_avx2, nullptr, nullptr};
-#elif defined(__x86_64__)
+#if defined(ZERKALO_HAS_avx512)
 constexpr StageFunction kStages[kIsaCount] = {stages_scalar, stages_sse2,   stages_sse4_2,
                                               stages_avx2,   stages_avx512, nullptr};
-#elif defined(__aarch64__)
+#elif defined(ZERKALO_HAS_avx2)
+constexpr StageFunction kStages[kIsaCount] = {stages_scalar, nullptr, nullptr, stages_avx2, nullptr, nullptr};
+#elif defined(ZERKALO_HAS_neon)
 constexpr StageFunction kStages[kIsaCount] = {stages_scalar, nullptr, nullptr, nullptr, nullptr, stages_neon};
 #else
 constexpr StageFunction kStages[kIsaCount] = {stages_scalar};
