@@ -8,7 +8,7 @@
 // away from zero, so that every result changes sign with its operands. Sums stay in their format. Nothing wraps: what
 // leaves a format's range stays at its end, as a float's infinity does, and quotients by zero are at that end.
 // Formats do not mix, and floats do not convert: each change of format is written down. Nor do two quantities mix that
-// have the same bits, a length and a curvature. A product has no name (with light it is light) until `as<To>` says what
+// have the same bits, a length and a ratio. A product has no name (with light it is light) until `as<To>` says what
 // it is; between formats of the same bits that is all that `as` does. Sums, the smaller of two, -x, |x|, x / 2 and
 // multiples stay what they are; roots, quotients and rounded products are what was asked for.
 // Range of a scene: coordinates within +-8 and ways within 15 (render/fit.hpp) keep differences of points and products

@@ -46,11 +46,9 @@ ZERKALO_INLINE auto registers_of(const A& raw) {
         return all_longs(raw);
     }
 }
-template <class A>
-ZERKALO_INLINE Longs longs_of(const A& raw) {
-    if constexpr (SingleWord<A>) return widened(registers_of(raw));
-    else return registers_of(raw);
-}
+/// 64 bits of each lane, whichever there are.
+ZERKALO_INLINE Longs longs_of(Words x) { return widened(x); }
+ZERKALO_INLINE Longs longs_of(const Longs& x) { return x; }
 /// Of a word: a uniform factor needs no odd lanes of its own.
 template <class A>
 ZERKALO_INLINE auto factor_of(const A& raw) {
@@ -223,7 +221,7 @@ template <class To, class A, Format FA, class B, Format FB>
 ZERKALO_INLINE To quotient(Fixed<A, FA> a, Fixed<B, FB> b) {
     constexpr int kShift = To::kFraction - FA.fraction + FB.fraction;
     return with_format<To::kFormat>(
-        long_quotient_words<kShift>(VectorLongs(longs_of(a.raw)), VectorLongs(registers_of(b.raw))));
+        long_quotient_words<kShift>(VectorLongs(longs_of(registers_of(a.raw))), VectorLongs(registers_of(b.raw))));
 }
 
 /// A word as the quotient by a word.

@@ -174,7 +174,7 @@ struct FixedFormats {
     using Length = Word<27, Quantity::length>;        // -16..16, step 7.5e-9
     using Direction = Word<30, Quantity::direction>;  // -2..2, step 9.3e-10
     using Area = Fixed<std::int64_t, 54>;             // -512..512: a length times a length
-    using Curvature = Fixed<std::int64_t, Format{59, Quantity::curvature}>;  // -16..16; of 1e-9 still 30 bits
+    using Curvature = Fixed<std::int64_t, Format{59, Quantity::curvature}>;  // -16..16; R = 2^30 keeps 30 bits
     using Inverse = Fixed<std::int64_t, 36>;          // 1 / length, to 1.3e8
     using Ratio = Word<27, Quantity::ratio>;          // of refractive indices, slopes
     using Index = Fixed<std::int32_t, 0>;
