@@ -1,5 +1,5 @@
 # Configures and builds tests/proofs/pictures, and with it the core, in a directory of its own.
-# cmake -D SOURCE= -D BUILD= -D COMPILER= -D FLAGS= -D LEVEL= -D TOOLCHAIN= -D PREFIX= -D GENERATOR= -D SCALAR_ONLY=
+# cmake -D SOURCE= -D BUILD= -D COMPILER= -D FLAGS= -D LEVEL= -D TOOLCHAIN= -D PREFIX= -D GENERATOR=
 #   -D FEW_KERNELS= -D INTEGERS= -P build_core.cmake
 set(toolchain "")
 if(TOOLCHAIN)
@@ -30,7 +30,5 @@ endfunction()
 
 run(${CMAKE_COMMAND} -S ${SOURCE} -B ${BUILD} -G ${GENERATOR} ${toolchain}
   -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=${type} "-DCMAKE_CXX_FLAGS=${FLAGS}"
-  "-DCMAKE_PREFIX_PATH=${PREFIX}" -DZERKALO_SCALAR_ONLY=${SCALAR_ONLY}
-  -DZERKALO_FEW_KERNELS=${FEW_KERNELS} -DINTEGERS=${INTEGERS}
-  ${launcher})
+  "-DCMAKE_PREFIX_PATH=${PREFIX}" -DZERKALO_FEW_KERNELS=${FEW_KERNELS} -DINTEGERS=${INTEGERS} ${launcher})
 run(${CMAKE_COMMAND} --build ${BUILD} --parallel 2)

@@ -11,6 +11,8 @@ the unchanged project does not build and pass.
 """
 import argparse
 import collections
+import concurrent.futures
+import os
 import pathlib
 import re
 import shutil
@@ -106,9 +108,16 @@ class Project:
         return self.first_of(program, "-" + COMPARISONS) or self.first_of(program, COMPARISONS)
 
     def first_of(self, program, names):
+        """As many shards of the program at a time as there may be jobs; of those that fail the first one's test."""
+        with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
+            failures = pool.map(lambda shard: self.failure_of_shard(program, names, shard), range(self.jobs))
+            return next(filter(None, list(failures)), "")
+
+    def failure_of_shard(self, program, names, shard):
+        shares = {"GTEST_TOTAL_SHARDS": str(self.jobs), "GTEST_SHARD_INDEX": str(shard)}
         try:
             ran = self.call([self.build / program, "--gtest_fail_fast", "--gtest_filter=" + names], timeout=TIME_LIMIT,
-                            cwd=self.build / program.rpartition("/")[0])
+                            cwd=self.build / program.rpartition("/")[0], env={**os.environ, **shares})
         except subprocess.TimeoutExpired as late:
             return last_started(late.stdout or "") + " (does not end)"
         if ran.returncode == 0:
@@ -171,7 +180,7 @@ def main():
                         help="ask only the test programs with WORD in their name: quicker, but more survive")
     parser.add_argument("--check", action="store_true", help="only whether every mutant applies")
     parser.add_argument("--work", default=ROOT / "build" / "mutants", help="folder of the copy (build/mutants)")
-    parser.add_argument("--jobs", default="2", help="processes that compile (2)")
+    parser.add_argument("--jobs", type=int, default=2, help="processes that compile or test (2)")
     parser.add_argument("--markdown", metavar="FILE", help="where to write the table")
     options = parser.parse_args()
     try:
