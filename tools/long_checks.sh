@@ -16,7 +16,7 @@ Usage: tools/long_checks.sh [--rays N] [--leak-rays N] [--only CHECK]...
   sanitizers  every test of every kernel with the address and undefined behaviour sanitizers (preset asan-ubsan)
 
 Needs what tools/test.sh installs. One after the other, with all processors. On two: a quarter of an hour for oracle, ten
-minutes for leaks, forty for mutants, ten to thirty for each of the others. Logs: build/long_checks/.
+minutes for leaks, two hours for mutants, ten to thirty minutes for each of the others. Logs: build/long_checks/.
 Exit code: 0 all hold, 1 something does not, 2 wrong command line.
 END
 }
