@@ -23,6 +23,7 @@ add_library(zerkalo_scene_file STATIC
   scene_file/syntax_error.cpp
   scene_file/table_reader.cpp
   scene_file/utf8.cpp)
+zerkalo_batches(zerkalo_scene_file)
 add_library(zerkalo::scene_file ALIAS zerkalo_scene_file)
 target_include_directories(zerkalo_scene_file PUBLIC ${PROJECT_SOURCE_DIR})
 target_include_directories(zerkalo_scene_file SYSTEM PRIVATE ${ZERKALO_TOMLPLUSPLUS_INCLUDE_DIR})

@@ -18,6 +18,7 @@ add_library(zerkalo_study OBJECT
   study/series.cpp
   study/statistics.cpp
   study/study.cpp)
+zerkalo_batches(zerkalo_study)
 target_include_directories(zerkalo_study PUBLIC ${PROJECT_SOURCE_DIR})
 target_link_libraries(zerkalo_study PUBLIC zerkalo_options zerkalo::core)
 # GCC 12 mistakes concatenations of std::string for overlapping copies (GCC bug 105651).

@@ -24,6 +24,7 @@ add_library(zerkalo_commands OBJECT
   zerkalo/stability_command.cpp
   zerkalo/strip_command.cpp
   zerkalo/study_command.cpp)
+zerkalo_batches(zerkalo_commands)
 target_include_directories(zerkalo_commands PUBLIC ${PROJECT_SOURCE_DIR})
 target_compile_definitions(zerkalo_commands PUBLIC ZERKALO_VERSION="${PROJECT_VERSION}")
 target_link_libraries(zerkalo_commands PUBLIC zerkalo_options zerkalo_scene_file zerkalo_stability zerkalo::core

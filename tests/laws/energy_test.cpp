@@ -10,7 +10,6 @@
 namespace zerkalo::laws {
 namespace {
 
-constexpr double kUlp = 0x1p-23;
 // A few roundings of each of the terms that a pixel adds up, one for each ray of its tree.
 constexpr double kRoom = 32 * kUlp;
 constexpr Rgb<double> kWhite{1, 1, 1};

@@ -1,4 +1,5 @@
 // The pictures of the rules that place lobe rays depend on neither the machine nor the kernel nor what it counts with.
+#include "tests/laws/rules.hpp"
 #include "tests/laws/staging.hpp"
 
 #include <gtest/gtest.h>
@@ -8,18 +9,6 @@
 
 namespace zerkalo::laws {
 namespace {
-
-constexpr Estimator kRules[] = {Estimator::random, Estimator::jittered, Estimator::sobol, Estimator::r2,
-                                Estimator::fibonacci};
-constexpr Estimator kKeyed[] = {Estimator::random, Estimator::jittered, Estimator::sobol, Estimator::r2};
-
-Settings placed_by(Estimator rule, std::int32_t samples, std::int32_t rotation) {
-    Settings settings;
-    settings.estimator = rule;
-    settings.samples = samples;
-    settings.rotation = rotation;
-    return settings;
-}
 
 Scene unpolished(Scene scene, Lobe lobe, double exponent) {
     scene.mirrors[0].lobe = lobe;

@@ -1,4 +1,5 @@
 // The rules that place lobe rays: each converges to the same integral, at the rate that it is known for.
+#include "tests/laws/rules.hpp"
 #include "tests/laws/staging.hpp"
 
 #include <gtest/gtest.h>
@@ -9,19 +10,7 @@
 namespace zerkalo::laws {
 namespace {
 
-constexpr Estimator kRules[] = {Estimator::random, Estimator::jittered, Estimator::sobol, Estimator::r2,
-                                Estimator::fibonacci};
-constexpr Estimator kKeyed[] = {Estimator::random, Estimator::jittered, Estimator::sobol, Estimator::r2};
-
-Settings placed_by(Estimator rule, std::int32_t samples, std::int32_t rotation) {
-    Settings settings;
-    settings.estimator = rule;
-    settings.samples = samples;
-    settings.rotation = rotation;
-    return settings;
-}
-
-constexpr double kWall = 10;          // how far away the edge is
+constexpr double kWayToWall = 10;          // how far away the edge is
 constexpr double kEdgeExponent = 60;  // of the lobe that sees it
 
 /// The share of a lobe cos^n that lies beyond a great circle at that angle from its axis: at theta the share
@@ -41,7 +30,7 @@ double share_beyond(double angle, double n) {
 /// A mirror in z = 0 and a glowing wall, z >= 10 and x >= 0, which it blurs.
 Scene wall_with_an_edge() {
     Scene scene;
-    add(scene, box({200, -200, kWall + 200}, 400, 400, glowing({1, 1, 1})));
+    add(scene, box({200, -200, kWayToWall + 200}, 400, 400, glowing({1, 1, 1})));
     Mirror mirror = ideal_mirror({0, 0, 0}, {0, 0, 1}, 40);
     mirror.lobe = Lobe::phong;
     mirror.lobe_exponent = kEdgeExponent;
@@ -51,7 +40,7 @@ Scene wall_with_an_edge() {
 
 /// Seen where the wall's edge lies `angle` off the lobe's axis: all of the lobe but what lies beyond it.
 double at_an_edge(const Settings& settings, double angle) {
-    return look(wall_with_an_edge(), {kWall * std::tan(angle), 0, 5}, {0, 0, -1}, settings).g;
+    return look(wall_with_an_edge(), {kWayToWall * std::tan(angle), 0, 5}, {0, 0, -1}, settings).g;
 }
 double exact_at_an_edge(double angle) { return 1 - share_beyond(angle, kEdgeExponent); }
 
@@ -69,16 +58,16 @@ double on_a_smooth_field(const Settings& settings) {
     return look(scene, {0, 5, 0}, {0, 1, 0}, settings).g;
 }
 
-constexpr std::array<double, 4> kAngles = {0.013, 0.051, 0.094, 0.142};  // at lobes about 0.13 wide
+constexpr std::array<double, 4> kEdgeAngles = {0.013, 0.051, 0.094, 0.142};  // at lobes about 0.13 wide
 
 double edge_error(Estimator rule, std::int32_t samples) {
     constexpr int kRotations = 16;
     double squares = 0;
-    for (const double angle : kAngles) {
+    for (const double angle : kEdgeAngles) {
         const double exact = exact_at_an_edge(angle);
         for (int rotation = 1; rotation <= kRotations; ++rotation) {
             const double error = at_an_edge(placed_by(rule, samples, rotation), angle) - exact;
-            squares += error * error / (kRotations * kAngles.size());
+            squares += error * error / (kRotations * kEdgeAngles.size());
         }
     }
     return std::sqrt(squares);
@@ -156,7 +145,7 @@ TEST(Estimators, HaveTheIntegralAsTheirMeanOverRotations) {
     constexpr int kRotations = 400;
     for (const Estimator rule : kRules) {
         for (const std::int32_t samples : {1, 3, 8}) {
-            const double angle = kAngles[1], exact = exact_at_an_edge(angle);
+            const double angle = kEdgeAngles[1], exact = exact_at_an_edge(angle);
             double sum = 0, squares = 0;
             for (int rotation = 1; rotation <= kRotations; ++rotation) {
                 const double seen = at_an_edge(placed_by(rule, samples, rotation), angle);
@@ -180,7 +169,7 @@ TEST(Estimators, NoTileStandsOut) {
         Settings settings = placed_by(rule, 16, 1);
         settings.width = settings.height = kSide * kTiles;
         const Image image = render(scene, settings);
-        const double exact = exact_at_an_edge(std::atan(0.5 / kWall));
+        const double exact = exact_at_an_edge(std::atan(0.5 / kWayToWall));
         double of_pixels = 0, of_tiles = 0;
         for (int tile = 0; tile < kTiles * kTiles; ++tile) {
             double mean = 0;

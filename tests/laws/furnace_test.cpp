@@ -9,7 +9,6 @@
 namespace zerkalo::laws {
 namespace {
 
-constexpr double kUlp = 0x1p-23;
 constexpr double kExponents[] = {0, 1, 10, 100, 1e4, 1e9};
 constexpr int kAngles[] = {0, 30, 60, 80, 89};
 

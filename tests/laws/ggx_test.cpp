@@ -9,8 +9,7 @@
 namespace zerkalo::laws {
 namespace {
 
-constexpr double kUlp = 0x1p-23;
-constexpr int kAngles[] = {0, 30, 60, 80};
+constexpr int kTilts[] = {0, 30, 60, 80};
 
 double lambda(double cosine, double alpha) {
     return (std::sqrt(1 + alpha * alpha * (1 / (cosine * cosine) - 1)) - 1) / 2;
@@ -50,7 +49,7 @@ Scene furnace(double alpha) {
 TEST(Ggx, WhiteFurnaceReturnsItsAlbedoAndNeverMore) {
     constexpr double kQuadratures = 1e-3;
     for (const double alpha : {0.25, 0.5, 1.0}) {
-        for (const int degrees : kAngles) {
+        for (const int degrees : kTilts) {
             const double angle = degrees * kPi / 180;
             Settings settings;
             settings.samples = 16384;

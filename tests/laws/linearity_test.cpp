@@ -53,7 +53,6 @@ TEST(P18, PowersOfTwoScaleEveryPixelExactly) {
 
 TEST(P19, TwoLampsGiveTheSumOfTheirPictures) {
     // Each pixel is a short sum, rounded after every term; both ways of summing differ in the order of the terms.
-    constexpr double kUlp = 0x1p-23;
     constexpr double kRoundings = 2;
     for (const double lobe_exponent : {kInfinity, 60.0}) {
         const Scene both = lit_scene(lobe_exponent);

@@ -30,7 +30,7 @@ Scene solids_and_images() {
 // A far camera's rays start on the plane through the scene's centre at right angles to its view: here on the mirror
 // itself, where reflected rays start as well, so that both travel the same way. To see solids and images side by side,
 // that camera looks along -z from far to the right, and what it sees is a small part of a very wide picture.
-constexpr double kFar = 1000, kHalfAngle = 1;
+constexpr double kFarCamera = 1000, kHalfAngle = 1;
 constexpr int kWidth = kMaxImageSide, kHeight = 64;
 constexpr int kPartWidth = 320;  // pixels, about 10 scene units
 
@@ -39,7 +39,7 @@ void look_from_far(Scene& scene) {
     Mirror floor = ideal_mirror({0, -0.5, 0}, {0, -1, 0}, 16);
     floor.up = {0, 0, 1};
     add(scene, floor);
-    scene.camera = camera_at({kFar, 1, kFar}, {0, 0, -1}, 2 * kHalfAngle);
+    scene.camera = camera_at({kFarCamera, 1, kFarCamera}, {0, 0, -1}, 2 * kHalfAngle);
 }
 
 /// The part of the wide picture around the point (0, 1, 0).

@@ -11,6 +11,7 @@ namespace zerkalo::laws {
 using namespace staging;
 
 constexpr double kPi = std::numbers::pi;
+constexpr double kUlp = 0x1p-23;  // of a float from 1 on
 
 /// A prism of four sides whose square base has that side, its axis upwards, its faces along the axes.
 Solid box(const Vec3<double>& base_centre, double side, double height, const Material& material);

@@ -8,8 +8,8 @@
 namespace zerkalo::scene_file {
 namespace {
 
-constexpr std::array<std::string_view, 8> kKeys{"position",           "look_at",          "view", "up",
-                                                "horizontal_fov_deg", "vertical_fov_deg", "move", "turn_deg"};
+constexpr std::array<std::string_view, 8> kCameraKeys{"position",           "look_at",          "view", "up",
+                                                      "horizontal_fov_deg", "vertical_fov_deg", "move", "turn_deg"};
 
 void read_view(TableReader& reader, Camera& camera) {
     const bool has_position = reader.point("position", camera.position);
@@ -42,7 +42,7 @@ void read_opening(TableReader& reader, Camera& camera) {
 
 void read_camera(const toml::table& table, Report& report, Camera& camera) {
     TableReader reader(table, "the camera", report);
-    reader.allow(kKeys);
+    reader.allow(kCameraKeys);
     reader.require("position");
     read_view(reader, camera);
     read_opening(reader, camera);

@@ -8,14 +8,14 @@
 namespace zerkalo::scene_file {
 namespace {
 
-constexpr std::array<std::string_view, 2> kKeys{"width", "height"};
+constexpr std::array<std::string_view, 2> kImageKeys{"width", "height"};
 
 }  // namespace
 
 void read_image(const toml::table& table, Report& report, ImageSize& image) {
     TableReader reader(table, "the image", report);
-    reader.allow(kKeys);
-    for (const std::string_view key : kKeys) reader.require(key);
+    reader.allow(kImageKeys);
+    for (const std::string_view key : kImageKeys) reader.require(key);
     const bool has_width = reader.integer("width", 1, kMaxImageSide, image.width);
     const bool has_height = reader.integer("height", 1, kMaxImageSide, image.height);
     const std::int64_t pixels = std::int64_t{image.width} * image.height;

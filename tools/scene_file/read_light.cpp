@@ -8,14 +8,14 @@
 namespace zerkalo::scene_file {
 namespace {
 
-constexpr std::array<std::string_view, 5> kKeys{"position", "color", "intensity", "falloff", "move"};
+constexpr std::array<std::string_view, 5> kLightKeys{"position", "color", "intensity", "falloff", "move"};
 constexpr std::array<std::string_view, 2> kFalloffs{"none", "inverse_square"};  // in the order of Falloff
 
 }  // namespace
 
 void read_light(const toml::table& table, Report& report, Light& light) {
     TableReader reader(table, "a light", report);
-    reader.allow(kKeys);
+    reader.allow(kLightKeys);
     reader.require("position");
     reader.point("position", light.position);
     reader.color("color", kNotNegative, light.color);

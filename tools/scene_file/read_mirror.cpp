@@ -8,7 +8,7 @@
 namespace zerkalo::scene_file {
 namespace {
 
-constexpr std::array<std::string_view, 14> kKeys{
+constexpr std::array<std::string_view, 14> kMirrorKeys{
     "position", "normal", "up",      "boundary", "curvature_radius", "lobe",      "lobe_exponent",
     "polish",   "color",  "ambient", "diffuse",  "specular",         "shininess", "reflection"};
 constexpr std::array<std::string_view, 3> kLobes{"phong", "max_phong", "ggx"};                 // in the order of Lobe
@@ -86,7 +86,7 @@ void read_lobe(TableReader& reader, Mirror& mirror) {
 
 void read_mirror(const toml::table& table, Report& report, Mirror& mirror) {
     TableReader reader(table, "a mirror", report);
-    reader.allow(kKeys);
+    reader.allow(kMirrorKeys);
     for (const std::string_view key : {"position", "normal", "boundary"}) reader.require(key);
     reader.point("position", mirror.position);
     reader.direction("normal", mirror.normal);

@@ -8,8 +8,8 @@
 namespace zerkalo::scene_file {
 namespace {
 
-constexpr std::array<std::string_view, 9> kKeys{"version", "title", "ambient", "background", "image",
-                                                "camera",  "light", "solid",   "mirror"};
+constexpr std::array<std::string_view, 9> kSceneKeys{"version", "title", "ambient", "background", "image",
+                                                     "camera",  "light", "solid",   "mirror"};
 constexpr std::int64_t kVersion = 1;
 
 /// False when the file is of another version: then nothing else in it can be judged.
@@ -75,7 +75,7 @@ Tables read_scene(const toml::table& root, const std::filesystem::path& director
     Tables tables;
     tables.root = &root;
     if (!is_our_version(reader)) return tables;
-    reader.allow(kKeys);
+    reader.allow(kSceneKeys);
     reader.text("title", title);
     reader.color("ambient", kNotNegative, scene.ambient);
     reader.color("background", kNotNegative, scene.background);

@@ -93,7 +93,7 @@ ExitCode run_compare(const CompareOptions& options) {
     const PictureDifference difference = difference_of(a, b, mask);
     if (difference.pixels == 0) throw Failure(ExitCode::usage, options.mask + ": the mask is black, no pixel counts");
     if (options.map) write_map(options, a, b, mask);
-    print_result((options.json ? json_report : text_report)(options, difference));
+    print_result(options.json ? json_report(options, difference) : text_report(options, difference));
     if (options.tolerance && difference.max_srgb8 > *options.tolerance) {
         throw Failure(ExitCode::pictures_differ, format("pictures differ by up to %d steps of 8-bit sRGB, more than %d",
                                                         difference.max_srgb8, *options.tolerance));

@@ -165,7 +165,9 @@ ExitCode run_render(const RenderOptions& options) {
     if (options.error || options.time_ms) refined = refine(options, frame);
     const FrameCost cost = refined ? refined->cost : render_frame(frame, options.repeat, progress_wanted());
     write_picture(file, frame.image, kind);
-    if (options.output != "-") print_result((options.json ? json_report : text_report)(options, frame, cost, refined));
+    if (options.output != "-") {
+        print_result(options.json ? json_report(options, frame, cost, refined) : text_report(options, frame, cost, refined));
+    }
     if (refined) require_reached(options, *refined);
     return ExitCode::ok;
 }

@@ -10,18 +10,17 @@ namespace {
 
 using probes::Elementary;
 
-constexpr int kPoints = ZERKALO_LAW_RAYS;
+constexpr int kArguments = ZERKALO_LAW_RAYS;
 constexpr float kEndless = std::numeric_limits<float>::infinity();
-constexpr Real80 kPi80 = 3.14159265358979323846264338327950288L;
 
-/// kPoints values from low to high in equal steps, both ends included.
+/// kArguments values from low to high in equal steps, both ends included.
 Floats sweep(double low, double high) {
     Floats x;
-    for (int k = 0; k < kPoints; ++k) x.push_back(static_cast<float>(low + (high - low) * k / (kPoints - 1)));
+    for (int k = 0; k < kArguments; ++k) x.push_back(static_cast<float>(low + (high - low) * k / (kArguments - 1)));
     return x;
 }
 
-/// kPoints values whose exponents run evenly from that of `low` to that of `high`.
+/// kArguments values whose exponents run evenly from that of `low` to that of `high`.
 Floats logarithmic_sweep(double low, double high) {
     Floats x = sweep(std::log2(low), std::log2(high));
     for (float& value : x) value = std::exp2(value);
@@ -86,12 +85,12 @@ TEST_P(ElementaryFunctions, Log2PutsALostRoundingBack) {
     // u + lost is a number that a float cannot hold; log2 near 1 is nothing but that rest.
     constexpr Real80 kBound = 2.5e-7L;
     Random random(2);
-    Floats u, lost, out(kPoints);
-    for (int k = 0; k < kPoints; ++k) {
+    Floats u, lost, out(kArguments);
+    for (int k = 0; k < kArguments; ++k) {
         u.push_back(static_cast<float>(random.uniform(0.75, 1.25)));
         lost.push_back(static_cast<float>(random.uniform(-0x1p-25, 0x1p-25)));
     }
-    lanes().log2_with_lost(u.data(), lost.data(), out.data(), kPoints);
+    lanes().log2_with_lost(u.data(), lost.data(), out.data(), kArguments);
     for (std::size_t k = 0; k < u.size(); ++k) {
         const Real80 wanted = std::log1p((Real80(u[k]) - 1) + lost[k]) / std::log(2.0L);
         ASSERT_LE(std::abs(out[k] - wanted), kBound * std::abs(wanted)) << std::hexfloat << u[k] << " + " << lost[k];
@@ -125,12 +124,12 @@ TEST_P(ElementaryFunctions, SineAndCosineOfQuarterTurnsAreExact) {
 TEST_P(ElementaryFunctions, CosinePowerIsWithinItsBoundUpToAMillion) {
     constexpr Real80 kOfExp2 = 1e-7L, kOfLog2 = 2.5e-7L;
     for (const float n : {0.0f, 0.5f, 1.0f, 50.0f, 1e3f, 1e6f}) {
-        Floats x, exponents(kPoints, n), out(kPoints), scalar_out(kPoints);
+        Floats x, exponents(kArguments, n), out(kArguments), scalar_out(kArguments);
         Random random(3);
         const double widest = n <= 50 ? 0.8 : 80 / double(n);
-        for (int k = 0; k < kPoints; ++k) x.push_back(static_cast<float>(random.uniform(0, widest)));
-        lanes().power(x.data(), exponents.data(), out.data(), kPoints);
-        scalar().lanes.power(x.data(), exponents.data(), scalar_out.data(), kPoints);
+        for (int k = 0; k < kArguments; ++k) x.push_back(static_cast<float>(random.uniform(0, widest)));
+        lanes().power(x.data(), exponents.data(), out.data(), kArguments);
+        scalar().lanes.power(x.data(), exponents.data(), scalar_out.data(), kArguments);
         expect_same_bits(out, scalar_out, "this width against the scalar one");
         for (std::size_t k = 0; k < x.size(); ++k) {
             const Real80 log_of_power = n * std::log1p(-Real80(x[k]));

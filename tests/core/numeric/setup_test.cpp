@@ -10,13 +10,13 @@
 namespace zerkalo::test {
 namespace {
 
-constexpr int kPoints = ZERKALO_LAW_RAYS;
+constexpr int kSetupArguments = ZERKALO_LAW_RAYS;
 
 TEST(SetupFunctions, SineAndCosineAreWithinTheirBound) {
     constexpr Real80 kBound = 1e-15L;
     Random random(4);
     for (const double range : {1.0, 4.0, 1e3, 1e6}) {
-        for (int k = 0; k < kPoints / 4; ++k) {
+        for (int k = 0; k < kSetupArguments / 4; ++k) {
             const double x = random.uniform(-range, range);
             const auto [sine, cosine] = sine_cosine(x);
             ASSERT_LE(std::abs(sine - std::sin(Real80(x))), kBound) << std::hexfloat << x;
@@ -36,7 +36,7 @@ TEST(SetupFunctions, SineKeepsItsDigitsForTinyAngles) {
 TEST(SetupFunctions, NaturalLogIsWithinItsBound) {
     constexpr Real80 kBound = 1e-15L;
     Random random(5);
-    for (int k = 0; k < kPoints; ++k) {
+    for (int k = 0; k < kSetupArguments; ++k) {
         const double x = k % 2 == 0 ? std::exp2(random.uniform(-1022, 1023)) : random.uniform(0.5, 2);
         const Real80 wanted = std::log(Real80(x));
         ASSERT_LE(std::abs(natural_log(x) - wanted), kBound * std::abs(wanted)) << std::hexfloat << x;
@@ -47,7 +47,7 @@ TEST(SetupFunctions, NaturalLogIsWithinItsBound) {
 TEST(SetupFunctions, ExponentialIsWithinItsBound) {
     constexpr Real80 kBound = 1e-15L;
     Random random(6);
-    for (int k = 0; k < kPoints; ++k) {
+    for (int k = 0; k < kSetupArguments; ++k) {
         const double x = k % 2 == 0 ? random.uniform(-700, 700) : random.uniform(-2, 2);
         const Real80 wanted = std::exp(Real80(x));
         ASSERT_LE(std::abs(exponential(x) - wanted), kBound * std::max<Real80>(1, std::abs(Real80(x))) * wanted)
@@ -58,7 +58,7 @@ TEST(SetupFunctions, ExponentialIsWithinItsBound) {
 
 TEST(SetupFunctions, SquareRootIsCorrectlyRounded) {
     Random random(7);
-    for (int k = 0; k < kPoints; ++k) {
+    for (int k = 0; k < kSetupArguments; ++k) {
         const double x = std::exp2(random.uniform(-1000, 1000));
         const double root = square_root(x);
         // Correct rounding: x lies between the squares of the root's two half-way neighbours.
@@ -71,7 +71,7 @@ TEST(SetupFunctions, SquareRootIsCorrectlyRounded) {
 
 TEST(SetupFunctions, NearestIntegerIsNearest) {
     Random random(8);
-    for (int k = 0; k < kPoints; ++k) {
+    for (int k = 0; k < kSetupArguments; ++k) {
         const double x = random.uniform(-1e9, 1e9);
         ASSERT_EQ(nearest_integer(x), std::nearbyint(x)) << std::hexfloat << x;
     }

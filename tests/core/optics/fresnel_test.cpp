@@ -6,8 +6,8 @@
 namespace zerkalo::test {
 namespace {
 
-constexpr Real80 kRightAngle = 1.57079632679489661923L;
-constexpr float kRatios[] = {0.1f, 0.4f, 1 / 1.5f, 0.75f, 1 - 0x1p-20f, 1, 1 + 0x1p-20f, 4.0f / 3, 1.5f, 2.4f, 10};
+constexpr Real80 kGrazing = 1.57079632679489661923L;
+constexpr float kIndexRatios[] = {0.1f, 0.4f, 1 / 1.5f, 0.75f, 1 - 0x1p-20f, 1, 1 + 0x1p-20f, 4.0f / 3, 1.5f, 2.4f, 10};
 
 struct Incidence {
     PointList d, n;
@@ -31,7 +31,7 @@ Incidence everywhere(float ratio, Random& random) {
     Incidence rays;
     while (rays.d.size() < kLawRays / 20) {
         const Exact3 n = random.direction(), across = unit(cross(n, random.direction()));
-        const Real80 angle = kRightAngle * random.uniform(0, 1);
+        const Real80 angle = kGrazing * random.uniform(0, 1);
         rays.add(across * std::sin(angle) - n * std::cos(angle), n, ratio);
     }
     return rays;
@@ -72,7 +72,7 @@ TEST_P(P29, WhatIsReflectedAndWhatGoesThroughAreOne) {
     // A rounding of the sine is divided by the cosine behind the surface, as in Snell's law; of the cosine, by eta.
     constexpr Real80 kRoundings = 24;
     Random random(291);
-    for (const float eta : kRatios) {
+    for (const float eta : kIndexRatios) {
         const Incidence rays = everywhere(eta, random);
         const Shares shares = shares_of(rays);
         for (std::size_t k = 0; k < rays.d.size(); ++k) {
@@ -95,11 +95,11 @@ TEST_P(P29, HeadOnItIsTheSquareOfTheRatioOfDifferenceAndSum) {
     // Relative to itself.
     constexpr Real80 kRoundings = 8;
     Incidence rays;
-    for (const float eta : kRatios) rays.add({0, 0, -1}, {0, 0, 1}, eta);
+    for (const float eta : kIndexRatios) rays.add({0, 0, -1}, {0, 0, 1}, eta);
     // Numbers without a rounding: 1/4 and 9/16.
     const float exact_ratios[] = {1, 3, 7}, exact_shares[] = {0, 0.25f, 0.5625f};
     for (const float eta : exact_ratios) rays.add({0, 0, -1}, {0, 0, 1}, eta);
-    const std::size_t first_exact = std::size(kRatios);
+    const std::size_t first_exact = std::size(kIndexRatios);
     rays.pad();
     const Shares shares = shares_of(rays);
     for (std::size_t k = 0; k < first_exact; ++k) {
@@ -135,7 +135,7 @@ TEST_P(P29, KeepsItsDigitsWhereTheIndicesAreNearlyEqual) {
 TEST_P(P29, GrazingLightIsReflectedWhole) {
     constexpr double kRoundings = 4;
     Incidence rays;
-    for (const float eta : kRatios) rays.add({1, 0, 0}, {0, 0, 1}, eta);
+    for (const float eta : kIndexRatios) rays.add({1, 0, 0}, {0, 0, 1}, eta);
     rays.pad();
     const Shares shares = shares_of(rays);
     for (std::size_t k = 0; k < rays.d.size(); ++k) {
@@ -149,7 +149,7 @@ TEST_P(P29, TotalReflectionIsExactlyOneAndBeginsWithoutAStep) {
         const Real80 critical = std::asin(1 / Real80(eta));
         Incidence beyond, before;
         for (int step = 1; step <= 160; ++step) {
-            add_at_angle(beyond, critical + (kRightAngle - critical) * (step / 160.0L), eta);
+            add_at_angle(beyond, critical + (kGrazing - critical) * (step / 160.0L), eta);
             add_at_angle(before, critical * (1 - std::ldexp(1.0L, -step / 8)), eta);
         }
         for (const float share : shares_of(beyond).both) ASSERT_EQ(share, 1) << "eta " << eta;
@@ -167,7 +167,7 @@ TEST_P(P29, TotalReflectionIsExactlyOneAndBeginsWithoutAStep) {
 TEST_P(P29, IsTheSameFromBothSides) {
     constexpr Real80 kRoundings = 48;
     Random random(292);
-    for (const float eta : kRatios) {
+    for (const float eta : kIndexRatios) {
         const Incidence there = everywhere(eta, random);
         PointList bent(there.d.size());
         Floats total(there.d.size());
@@ -205,7 +205,7 @@ TEST_P(P29, IsAShareWhateverTheIndex) {
 
 TEST_P(P29, EveryWidthGivesTheSameBits) {
     Random random(294);
-    for (const float eta : kRatios) {
+    for (const float eta : kIndexRatios) {
         const Incidence rays = everywhere(eta, random);
         const Shares here = shares_of(rays), there = shares_of(scalar().optics, rays);
         expect_same_bits(here.across, there.across, "across");
@@ -221,7 +221,7 @@ TEST_P(P30, AtBrewstersAngleNothingThatSwingsInThePlaneIsReflected) {
     // The cosines' product and the sines' are equal but for their roundings; the share is the square of what remains.
     constexpr Real80 kRoundings = 8;
     Incidence rays;
-    for (const float eta : kRatios) add_at_angle(rays, brewster_angle(eta), eta);
+    for (const float eta : kIndexRatios) add_at_angle(rays, brewster_angle(eta), eta);
     rays.pad();
     const Shares shares = shares_of(rays);
     for (std::size_t k = 0; k < rays.d.size(); ++k) {
@@ -234,7 +234,7 @@ TEST_P(P30, AtBrewstersAngleNothingThatSwingsInThePlaneIsReflected) {
 }
 
 TEST_P(P30, BesideBrewstersAngleSomeOfItIs) {
-    for (const float eta : kRatios) {
+    for (const float eta : kIndexRatios) {
         if (eta == 1) continue;
         Incidence rays;
         for (int step = -8; step < 8; ++step) add_at_angle(rays, brewster_angle(eta) * (1 + step / 4096.0L), eta);

@@ -13,8 +13,7 @@
 namespace zerkalo::test {
 namespace {
 
-constexpr Real80 kPi80 = 3.14159265358979323846264338L;
-constexpr float kExponents[] = {0, 1, 1e3f, 1e9f};
+constexpr float kLatticeExponents[] = {0, 1, 1e3f, 1e9f};
 
 class Lattice : public Widths {
 protected:
@@ -68,7 +67,7 @@ TEST_P(Lattice, LobePointIsTheClosedFormForEveryExponent) {
     Random random(91);
     // Logarithm, power and sine each within 2.5e-7; the root halves the first two.
     constexpr Real80 kAcross = 5e-7L, kForward = 3e-7L;
-    for (const float n : kExponents) {
+    for (const float n : kLatticeExponents) {
         Floats u, turn;
         PointList p(kLawRays);
         while (u.size() < kLawRays) {
@@ -88,7 +87,7 @@ TEST_P(Lattice, LobePointIsTheClosedFormForEveryExponent) {
 }
 
 TEST_P(P16, ShareOfRaysInsideAnAngleIsThatOfTheLobe) {
-    for (const float n : kExponents) {
+    for (const float n : kLatticeExponents) {
         for (const int count : {1, 7, 64, 1000, 4097}) {
             const PointList p = points(count, inverse_of(n));
             for (const Real80 share : {0.05L, 0.31L, 0.5L, 0.77L, 0.99L}) {
@@ -144,7 +143,7 @@ TEST_P(Lattice, WeightIsTheRatioOfCosinesBetweenZeroAndOne) {
 
 TEST_P(Lattice, RaysAreUnit) {
     constexpr Real80 kRoom = 6e-7L;  // twice the error of a point across
-    for (const float n : kExponents) {
+    for (const float n : kLatticeExponents) {
         const PointList p = points(1000, inverse_of(n));
         for (std::size_t k = 0; k < 1000; ++k) {
             ASSERT_LE(std::abs(length(p[k]) - 1), kRoom) << "ray " << k << " n " << n;
@@ -170,7 +169,7 @@ TEST_P(Lattice, AzimuthsAreEvenlySpread) {
 }
 
 TEST_P(Lattice, EveryWidthGivesTheSameBits) {
-    for (const float n : kExponents) {
+    for (const float n : kLatticeExponents) {
         for (const int count : {1, 16, 1000}) {
             const PointList here = points(count, inverse_of(n));
             PointList there(here.size());

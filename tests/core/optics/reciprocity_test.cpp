@@ -79,10 +79,10 @@ protected:
     }
 };
 
-constexpr float kExponents[] = {0, 1, 20, 1000};
+constexpr float kLobeExponents[] = {0, 1, 20, 1000};
 
 TEST_P(P17, MaxPhongReflectsAlikeBothWays) {
-    for (const float exponent : kExponents) {
+    for (const float exponent : kLobeExponents) {
         const Outcome outcome = both_ways(exponent, true);
         EXPECT_EQ(outcome.unequal, 0u) << "of " << outcome.asked << ", exponent " << exponent;
         EXPECT_GT(outcome.asked, kLawRays / 8) << "exponent " << exponent;
@@ -90,7 +90,7 @@ TEST_P(P17, MaxPhongReflectsAlikeBothWays) {
 }
 
 TEST_P(P17, TheSeedsLobeDoesNot) {
-    for (const float exponent : kExponents) {
+    for (const float exponent : kLobeExponents) {
         const Outcome outcome = both_ways(exponent, false);
         // Only where both directions happen to be equally steep.
         EXPECT_GT(double(outcome.unequal), 0.9 * double(outcome.asked)) << "exponent " << exponent;

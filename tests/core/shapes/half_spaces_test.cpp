@@ -6,7 +6,7 @@ namespace zerkalo::test {
 namespace {
 
 // Subtraction of the centre, two three-term dot products, one quotient.
-constexpr Real80 kRoundings = 8;
+constexpr Real80 kSlabRoundings = 8;
 
 class HalfSpaces : public Widths {};
 
@@ -38,7 +38,7 @@ TEST_P(HalfSpaces, SpanIsTheClosedFormToAFewRoundings) {
             add_ray_towards(rays, *plan, random, std::exp2(random.uniform(-3, 5)));
         }
         rays.pad();
-        expect_exact_spans(shapes(), *plan, rays, kRoundings, outcome);
+        expect_exact_spans(shapes(), *plan, rays, kSlabRoundings, outcome);
     });
     EXPECT_GT(outcome.hits, kLawRays / 8);
     EXPECT_GT(outcome.misses, kLawRays / 8);
@@ -52,7 +52,7 @@ TEST_P(HalfSpaces, FarOriginLosesNoHit) {
         RayList rays;
         while (rays.size() < kLawRays / kShapes) add_ray_towards(rays, *plan, random, 1e3);
         rays.pad();
-        expect_exact_spans(shapes(), *plan, rays, kRoundings, outcome);
+        expect_exact_spans(shapes(), *plan, rays, kSlabRoundings, outcome);
     });
     EXPECT_GT(outcome.hits, kLawRays / 8);
 }
@@ -106,7 +106,7 @@ TEST_P(HalfSpaces, RaysAtEdgesAndVerticesNeverLeak) {
             const Real80 distance = random.uniform(2.1, 9) * size_of(*plan);
             const Exact3 from = exact(rounded_to_float(centre + random.direction() * distance));
             // Far enough inwards that the solid shrunk by all roundings still holds the target.
-            const Real80 room = 2 * kRoundings * kU * (length(from - centre) + size_of(*plan));
+            const Real80 room = 2 * kSlabRoundings * kU * (length(from - centre) + size_of(*plan));
             const Exact3 target = on_edge + (centre - on_edge) * (room / depth_of_centre);
             rays.add(from, unit(target - from));
             depth.push_back(length(target - from) + room);
@@ -139,7 +139,7 @@ TEST_P(HalfSpaces, EntryFaceIsTheOneThatTheRayMeets) {
                 const Real80 along = dot(exact(slab.n), rays.o[k] + rays.d[k] * t - exact(body.centre));
                 return std::min(std::abs(along - slab.hi), std::abs(along - slab.lo));
             };
-            const Real80 room = 2 * kRoundings * kU * (length(rays.o[k] - centre_of(*plan)) + size_of(*plan));
+            const Real80 room = 2 * kSlabRoundings * kU * (length(rays.o[k] - centre_of(*plan)) + size_of(*plan));
             ASSERT_LE(off_face(spans.entry[k], spans.face_in[k]), room) << text(rays, k);
             ASSERT_LE(off_face(spans.exit[k], spans.face_out[k]), room) << text(rays, k);
         }

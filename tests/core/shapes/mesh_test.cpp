@@ -8,7 +8,7 @@ namespace {
 
 // Two cross products, dot products and a quotient. A plane that is told by two edges at a sharp angle loses the sine of
 // that angle: in the fan of an n-gon it is sin(pi / n), so the bound is multiplied by n.
-constexpr Real80 kRoundings = 4;
+constexpr Real80 kMeshRoundings = 4;
 
 class Mesh : public Widths {};
 
@@ -41,7 +41,7 @@ TEST_P(Mesh, TriangulatedPrismIsThePrism) {
                 rays, spans_of(shapes(), *twin.mesh, rays),
                 [&](std::size_t k, Real80 grow) { return exact_span(exactly, rays.o[k], rays.d[k], grow); },
                 [&](std::size_t k) {
-                    return sides * kRoundings * kU * (length(rays.o[k] - centre_of(exactly)) + size_of(exactly));
+                    return sides * kMeshRoundings * kU * (length(rays.o[k] - centre_of(exactly)) + size_of(exactly));
                 },
                 outcome);
         }
@@ -81,7 +81,7 @@ TEST_P(Mesh, FirstHitFromOutsideIsAFrontAndFromInsideABack) {
         ASSERT_EQ(both.face[k], named.face[k]) << text(rays, k);
         const TriangleData& triangle = twin.mesh->triangles[static_cast<int>(both.face[k])];
         const Exact3 p = rays.o[k] + rays.d[k] * both.t[k];
-        ASSERT_LE(std::abs(dot(exact(triangle.normal), p - exact(triangle.a))), 6 * kRoundings * kU * 8)
+        ASSERT_LE(std::abs(dot(exact(triangle.normal), p - exact(triangle.a))), 6 * kMeshRoundings * kU * 8)
             << text(rays, k);
         ASSERT_EQ(dot(exact(triangle.normal), rays.d[k]) < 0, outside) << text(rays, k);
     }

@@ -8,7 +8,7 @@ namespace {
 using probes::MirrorWay;
 
 // Frame change, shift to the vertex, the quadratic's coefficients and root; over the incidence cosine.
-constexpr Real80 kRoundings = 24;
+constexpr Real80 kMirrorRoundings = 24;
 constexpr Real80 kLeastCosine = 0.1L;
 
 constexpr double kRadii[] = {0.1, -0.1, 0.6, -0.6, 2, -2, 30, -30, 1e3, -1e3, 1e6, -1e6, 1e9, -1e9, kInfinity};
@@ -31,11 +31,11 @@ protected:
 };
 
 /// A mirror in a random frame whose disc reaches 0.9 R, at most 1.
-struct Subject {
+struct MirrorSubject {
     MirrorShape shape;
     Real80 aperture;
 };
-Subject mirror_of(double radius, Random& random) {
+MirrorSubject mirror_of(double radius, Random& random) {
     const auto scene = std::make_unique<Scene>();
     const auto plan = std::make_unique<Plan>();
     Mirror& mirror = scene->mirrors[0];
@@ -110,11 +110,11 @@ struct Tally {
     std::size_t hits = 0, misses = 0, second_roots = 0;
 };
 
-void expect_crossings(const Subject& mirror, const RayList& rays, const Hits& hits, Tally& tally) {
+void expect_crossings(const MirrorSubject& mirror, const RayList& rays, const Hits& hits, Tally& tally) {
     for (std::size_t k = 0; k < rays.size(); ++k) {
         const Exact3 o = in_frame(mirror.shape, rays.o[k] - exact(mirror.shape.vertex));
         const Exact3 d = in_frame(mirror.shape, rays.d[k]);
-        const Real80 room = kRoundings * kU * (length(o) + mirror.aperture);
+        const Real80 room = kMirrorRoundings * kU * (length(o) + mirror.aperture);
         const Wanted wanted = wanted_hit(crossings_of(mirror.shape, mirror.aperture, o, d), mirror.shape.kappa, room);
         if (!wanted.certain) continue;
         ASSERT_EQ(hits.hit[k], wanted.hit ? 1 : 0) << text(rays, k) << " kappa " << mirror.shape.kappa;
@@ -127,7 +127,7 @@ void expect_crossings(const Subject& mirror, const RayList& rays, const Hits& hi
     }
 }
 
-RayList rays_towards(const Subject& mirror, std::size_t count, Random& random) {
+RayList rays_towards(const MirrorSubject& mirror, std::size_t count, Random& random) {
     RayList rays;
     while (rays.size() < count) {
         const Exact3 foot{random.uniform(-1, 1), random.uniform(-1, 1), 0};
@@ -144,7 +144,7 @@ TEST_P(MirrorSurface, NearestCrossingInsideTheOutlineIsTheClosedForm) {
     Random random(61);
     Tally tally;
     for (const double radius : kRadii) {
-        const Subject mirror = mirror_of(radius, random);
+        const MirrorSubject mirror = mirror_of(radius, random);
         const RayList rays = rays_towards(mirror, kLawRays / 10, random);
         expect_crossings(mirror, rays, hits_of(shapes(), mirror.shape, MirrorWay::curved, rays), tally);
     }
@@ -155,7 +155,7 @@ TEST_P(MirrorSurface, NearestCrossingInsideTheOutlineIsTheClosedForm) {
 
 TEST_P(MirrorSurface, PlaneFormAndCurvedFormOfAPlaneAgree) {
     Random random(62);
-    const Subject mirror = mirror_of(kInfinity, random);
+    const MirrorSubject mirror = mirror_of(kInfinity, random);
     const RayList rays = rays_towards(mirror, kLawRays, random);
     Tally plane, curved;
     expect_crossings(mirror, rays, hits_of(shapes(), mirror.shape, MirrorWay::plane, rays), plane);
@@ -170,7 +170,7 @@ TEST_P(MirrorSurface, FarOriginKeepsTheSurfaceInReach) {
     Random random(63);
     Tally tally;
     for (const double radius : {0.6, -2.0, 1e3, kInfinity}) {
-        const Subject mirror = mirror_of(radius, random);
+        const MirrorSubject mirror = mirror_of(radius, random);
         RayList rays;
         while (rays.size() < kLawRays / 4) {
             const Exact3 foot = to_world(mirror.shape, {random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 0});
@@ -189,7 +189,7 @@ TEST_P(MirrorSurface, OwnChordOfAHollowMirrorIsTheClosedForm) {
     Random random(64);
     std::size_t hits_seen = 0, misses_seen = 0;
     for (const double radius : {0.1, 0.6, 2.0, -0.6}) {
-        const Subject mirror = mirror_of(radius, random);
+        const MirrorSubject mirror = mirror_of(radius, random);
         const Real80 kappa = mirror.shape.kappa;
         RayList rays;
         while (rays.size() < kLawRays / 4) {
@@ -208,7 +208,7 @@ TEST_P(MirrorSurface, OwnChordOfAHollowMirrorIsTheClosedForm) {
             const Exact3 n{-kappa * o.x, -kappa * o.y, 1 - kappa * o.z};
             const Real80 cosine = dot(n, d) / length(d), chord = 2 * cosine / kappa;
             const Exact3 p = o + d * chord;
-            const Real80 room = kRoundings * kU * mirror.aperture, rim = mirror.aperture - std::hypot(p.x, p.y);
+            const Real80 room = kMirrorRoundings * kU * mirror.aperture, rim = mirror.aperture - std::hypot(p.x, p.y);
             if (cosine < kLeastCosine || std::abs(rim) < 10 * room || std::abs(kappa * p.z - 1) < 1e-4L) continue;
             const bool wanted = chord > 0 && rim > 0 && kappa * p.z < 1;
             ASSERT_EQ(hits.hit[k], wanted ? 1 : 0) << text(rays, k) << " R " << radius;
@@ -226,7 +226,7 @@ TEST_P(MirrorSurface, NormalPointsToTheCentreOfCurvature) {
     Random random(65);
     constexpr Real80 kNormalRoundings = 12;
     for (const double radius : kRadii) {
-        const Subject mirror = mirror_of(radius, random);
+        const MirrorSubject mirror = mirror_of(radius, random);
         const Real80 kappa = mirror.shape.kappa;
         PointList p, n(1008);
         while (p.size() < n.size()) {
@@ -246,7 +246,7 @@ TEST_P(MirrorSurface, NormalPointsToTheCentreOfCurvature) {
 TEST_P(MirrorSurface, EveryWidthGivesTheSameBits) {
     Random random(66);
     for (const double radius : {0.6, -2.0, kInfinity}) {
-        const Subject mirror = mirror_of(radius, random);
+        const MirrorSubject mirror = mirror_of(radius, random);
         const RayList rays = rays_towards(mirror, kLawRays / 4, random);
         for (const MirrorWay way : {MirrorWay::plane, MirrorWay::curved, MirrorWay::own_chord}) {
             const Hits here = hits_of(shapes(), mirror.shape, way, rays);

@@ -6,11 +6,10 @@
 namespace zerkalo::test {
 namespace {
 
-constexpr Real80 kPi80 = 3.14159265358979323846264338L;
 
 class SolidLaws : public Widths {};
 
-struct Subject {
+struct SolidSubject {
     const char* name;
     Solid solid;
     std::vector<Triangle> triangles;
@@ -26,8 +25,8 @@ PolygonMeasures polygon(int sides, Real80 r) {
     return {sides * r * r * std::sin(half) * std::cos(half), 2 * r * std::sin(half), r * std::cos(half)};
 }
 
-Subject polyhedron(const char* name, SolidKind kind, int sides, Real80 r, Real80 h, Random& random) {
-    Subject subject{name, placed(kind, random), {}, 0, 0};
+SolidSubject polyhedron(const char* name, SolidKind kind, int sides, Real80 r, Real80 h, Random& random) {
+    SolidSubject subject{name, placed(kind, random), {}, 0, 0};
     subject.solid.sides = sides, subject.solid.radius = double(r), subject.solid.height = double(h);
     const PolygonMeasures base = polygon(sides, r);
     const bool prism = kind == SolidKind::prism;
@@ -37,8 +36,8 @@ Subject polyhedron(const char* name, SolidKind kind, int sides, Real80 r, Real80
     return subject;
 }
 
-Subject tube(const char* name, SolidKind kind, Real80 r, Real80 h, Real80 taper, Random& random) {
-    Subject subject{name, placed(kind, random), {}, 0, 0};
+SolidSubject tube(const char* name, SolidKind kind, Real80 r, Real80 h, Real80 taper, Random& random) {
+    SolidSubject subject{name, placed(kind, random), {}, 0, 0};
     subject.solid.radius = double(r), subject.solid.height = double(h), subject.solid.taper = double(taper);
     const Real80 top = r * taper;
     subject.volume = kPi80 * h * (r * r + r * top + top * top) / 3;
@@ -47,16 +46,16 @@ Subject tube(const char* name, SolidKind kind, Real80 r, Real80 h, Real80 taper,
 }
 
 /// All six kinds, with closed forms for volume and surface.
-std::vector<Subject> subjects(Random& random) {
-    std::vector<Subject> all;
+std::vector<SolidSubject> subjects(Random& random) {
+    std::vector<SolidSubject> all;
     all.push_back(polyhedron("pyramid", SolidKind::pyramid, 5, 1, 1.5L, random));
     all.push_back(polyhedron("prism", SolidKind::prism, 6, 0.8L, 1.2L, random));
-    Subject ball{"sphere", placed(SolidKind::sphere, random), {}, kPi80 * 4 / 3, 4 * kPi80};
+    SolidSubject ball{"sphere", placed(SolidKind::sphere, random), {}, kPi80 * 4 / 3, 4 * kPi80};
     all.push_back(ball);
     all.push_back(tube("cylinder", SolidKind::cylinder, 0.7L, 1.6L, 1, random));
     all.push_back(tube("cone", SolidKind::cone, 1, 1.5L, 0, random));
     all.push_back(tube("widening cone", SolidKind::cone, 0.5L, 1, 1.75L, random));
-    Subject mesh = polyhedron("mesh", SolidKind::prism, 7, 0.9L, 1, random);
+    SolidSubject mesh = polyhedron("mesh", SolidKind::prism, 7, 0.9L, 1, random);
     mesh.triangles = triangles_of(mesh.solid);
     mesh.solid = meshed(mesh.solid, mesh.triangles);
     all.push_back(mesh);
@@ -98,7 +97,7 @@ const Real80 kGridError = 8 * std::pow(Real80(kGridSide), -1.5L);
 
 TEST_P(SolidLaws, ChordLengthsSumToVolume) {
     Random random(71);
-    for (const Subject& subject : subjects(random)) {
+    for (const SolidSubject& subject : subjects(random)) {
         const auto plan = plan_of(subject.solid, subject.triangles);
         const Real80 volume = volume_by_chords(shapes(), *plan, random.direction());
         EXPECT_NEAR(double(volume / subject.volume), 1, double(kGridError)) << subject.name;
@@ -122,7 +121,7 @@ TEST_P(SolidLaws, ConeFillsAThirdOfItsCylinderAndAPyramidAThirdOfItsPrism) {
 // Lines through random points of a disc, at right angles to it, in random directions: the mean shadow is hits / lines.
 TEST_P(SolidLaws, MeanShadowIsAQuarterOfTheSurface) {
     Random random(73);
-    for (const Subject& subject : subjects(random)) {
+    for (const SolidSubject& subject : subjects(random)) {
         const auto plan = plan_of(subject.solid, subject.triangles);
         const Real80 size = size_of(*plan);
         RayList rays;
@@ -168,7 +167,7 @@ Exact3 outward_normal(const probes::ShapeProbes& shapes, const Plan& plan, const
 TEST_P(SolidLaws, OutgoingRayNeverMeetsItAgain) {
     Random random(74);
     constexpr Real80 kRoundings = 48, kLeastCosine = 0.1L;
-    for (const Subject& subject : subjects(random)) {
+    for (const SolidSubject& subject : subjects(random)) {
         if (!subject.triangles.empty()) continue;  // a mesh knows its own triangle instead: it need not be convex
         const auto plan = plan_of(subject.solid);
         RayList incoming, outgoing;

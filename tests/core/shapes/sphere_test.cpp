@@ -6,7 +6,7 @@ namespace zerkalo::test {
 namespace {
 
 // Subtraction of the centre, three-term dot products, square root, quotient; the direction's length is 1 to 3 u.
-constexpr Real80 kRoundings = 8;
+constexpr Real80 kSphereRoundings = 8;
 
 class Sphere : public Widths {};
 
@@ -24,7 +24,7 @@ TEST_P(Sphere, SpanIsTheClosedFormToAFewRoundings) {
         RayList rays;
         while (rays.size() < kLawRays / 4) add_ray_towards(rays, *plan, random, std::exp2(random.uniform(0.2, 5)));
         rays.pad();
-        expect_exact_spans(shapes(), *plan, rays, kRoundings, outcome);
+        expect_exact_spans(shapes(), *plan, rays, kSphereRoundings, outcome);
     }
     EXPECT_GT(outcome.hits, kLawRays / 4);
     EXPECT_GT(outcome.misses, kLawRays / 20);
@@ -38,7 +38,7 @@ TEST_P(Sphere, RaysFromInsideEnterBehindAndLeaveAhead) {
         rays.add(centre_of(*plan) + random.direction() * (0.99 * std::cbrt(random.uniform(0, 1))), random.direction());
     }
     Outcome outcome;
-    expect_exact_spans(shapes(), *plan, rays, kRoundings, outcome);
+    expect_exact_spans(shapes(), *plan, rays, kSphereRoundings, outcome);
     EXPECT_EQ(outcome.hits, kLawRays);
     const SpanList spans = spans_of(shapes(), *plan, rays);
     for (std::size_t k = 0; k < rays.size(); ++k) {
@@ -61,10 +61,10 @@ TEST_P(Sphere, FarOriginLosesNoHitWhereTheNaiveFormulaDoes) {
     RayList rays;
     while (rays.size() < kLawRays) add_ray_towards(rays, *plan, random, 1e3);
     Outcome outcome;
-    expect_exact_spans(shapes(), *plan, rays, kRoundings, outcome);
+    expect_exact_spans(shapes(), *plan, rays, kSphereRoundings, outcome);
     std::size_t naive_losses = 0;
     for (std::size_t k = 0; k < rays.size(); ++k) {
-        const Real80 room = kRoundings * kU * 1e3L;
+        const Real80 room = kSphereRoundings * kU * 1e3L;
         const bool certain = !exact_span(*plan, rays.o[k], rays.d[k], -room).empty();
         naive_losses +=
             certain && !naive_hit(plan->solids[0].sphere, rounded_to_float(rays.o[k]), rounded_to_float(rays.d[k]));

@@ -6,7 +6,7 @@ namespace zerkalo::test {
 namespace {
 
 // Rotation into the axes (three-term sums), recentring, the discriminant's two products, root and quotient.
-constexpr Real80 kRoundings = 24;
+constexpr Real80 kTubeRoundings = 24;
 
 class Tube : public Widths {
 protected:
@@ -36,7 +36,7 @@ TEST_P(Tube, SpanIsTheClosedFormToAFewRoundings) {
                 add_ray_towards(rays, *plan, random, std::exp2(random.uniform(-3, 4)));
             }
             rays.pad();
-            expect_exact_spans(shapes(), *plan, rays, kRoundings, outcome);
+            expect_exact_spans(shapes(), *plan, rays, kTubeRoundings, outcome);
         }
     }
     EXPECT_GT(outcome.hits, kLawRays / 8);
@@ -57,7 +57,7 @@ TEST_P(Tube, FacesSayWhichPieceBoundsTheSpan) {
             const auto on_named_face = [&](float t, float face) {
                 const Exact3 p = rays.o[k] + rays.d[k] * t - exact(data.centre);
                 const Real80 from_axis = std::hypot(p.x, p.z), radius = data.mid_radius + Real80(data.slope) * p.y;
-                const Real80 room = kRoundings * kU * (1 + std::abs(data.slope)) * 4 * size_of(*plan);
+                const Real80 room = kTubeRoundings * kU * (1 + std::abs(data.slope)) * 4 * size_of(*plan);
                 const Real80 off = face == 1 ? std::abs(p.y) - data.half_height : from_axis - radius;
                 return std::abs(off) <= room;
             };
@@ -148,7 +148,7 @@ TEST_P(Tube, RaysParallelToAGeneratorAreTheClosedForm) {
             rays.add(through - d * random.uniform(1, 8), random.below(2) == 0 ? d : -d);
         }
         rays.pad();
-        expect_exact_spans(shapes(), *plan, rays, kRoundings, outcome);
+        expect_exact_spans(shapes(), *plan, rays, kTubeRoundings, outcome);
     }
     EXPECT_GT(outcome.hits, kLawRays / 16);
 }
@@ -165,7 +165,7 @@ TEST_P(Tube, RaysThroughTheApexHit) {
         rays.add(o, unit(Exact3{0, 2, 0} - o));
     }
     Outcome outcome;
-    expect_exact_spans(shapes(), *plan, rays, kRoundings, outcome);
+    expect_exact_spans(shapes(), *plan, rays, kTubeRoundings, outcome);
     EXPECT_EQ(outcome.hits, kLawRays);
 }
 
@@ -185,10 +185,10 @@ TEST_P(Tube, FarOriginLosesNoHitWhereTheNaiveFormulaDoes) {
         while (rays.size() < kLawRays / 2) add_ray_towards(rays, *plan, random, 1e3);
         rays.pad();
         Outcome outcome;
-        expect_exact_spans(shapes(), *plan, rays, kRoundings, outcome);
+        expect_exact_spans(shapes(), *plan, rays, kTubeRoundings, outcome);
         std::size_t naive_losses = 0;
         for (std::size_t k = 0; k < rays.size(); ++k) {
-            const Real80 room = kRoundings * kU * 1e3L * size_of(*plan);
+            const Real80 room = kTubeRoundings * kU * 1e3L * size_of(*plan);
             const bool certain = !exact_span(*plan, rays.o[k], rays.d[k], -room).empty();
             naive_losses += certain && !naive_lateral_hit(plan->solids[0].tube, rounded_to_float(rays.o[k]),
                                                           rounded_to_float(rays.d[k]));
