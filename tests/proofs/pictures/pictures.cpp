@@ -16,6 +16,7 @@ constexpr std::int32_t kWidth = 45, kHeight = 32;
 
 Plan plan;
 DoublePlan double_plan;
+FixedPlan fixed_plan;
 float pixels[kWidth * kHeight * 3];
 
 template <class AnyPlan>
@@ -45,6 +46,39 @@ void describe(Picture picture, const char* number, Isa isa, std::uint64_t hash, 
     append(end, "\n");
 }
 
+using Write = void (*)(const char* line);
+
+/// One line for each instruction set; false where two of them differ.
+template <class AnyPlan>
+bool write_hashes(Picture picture, const char* number, const AnyPlan& plan, Write write) {
+    const std::uint64_t serial = hash_with(plan, Isa::scalar);
+    bool same = true;
+    for (int i = 0; i < kIsaCount; ++i) {
+        const Isa isa = static_cast<Isa>(i);
+        if (!available(isa)) {
+            continue;
+        }
+        const std::uint64_t hash = hash_with(plan, isa);
+        same = same && hash == serial;
+        char line[64];
+        describe(picture, number, isa, hash, line);
+        write(line);
+    }
+    return same;
+}
+
+/// The plans of all number types.
+Status prepare_all(const Scene& scene, const Settings& settings) {
+    Status status = prepare(scene, settings, plan);
+    if (status.ok()) {
+        status = prepare(scene, settings, double_plan);
+    }
+    if (status.ok()) {
+        status = prepare(scene, settings, fixed_plan);
+    }
+    return status;
+}
+
 }  // namespace
 
 const char* name_of(Picture picture) {
@@ -52,36 +86,24 @@ const char* name_of(Picture picture) {
     return kNames[static_cast<int>(picture)];
 }
 
-bool render_all(void (*write)(const char* line)) {
+bool render_all(Write write) {
     Settings settings;
     settings.width = kWidth;
     settings.height = kHeight;
     settings.samples = 5;
     bool same = true;
     for (int p = 0; p < kPictureCount; ++p) {
-        Status status = prepare(kScenes[p], settings, plan);
-        if (status.ok()) {
-            status = prepare(kScenes[p], settings, double_plan);
-        }
+        const Status status = prepare_all(kScenes[p], settings);
         if (!status.ok()) {
             write(status.reason);
             write("\n");
             return false;
         }
-        const std::uint64_t serial = hash_with(plan, Isa::scalar);
-        for (int i = 0; i < kIsaCount; ++i) {
-            const Isa isa = static_cast<Isa>(i);
-            if (!available(isa)) {
-                continue;
-            }
-            const std::uint64_t hash = hash_with(plan, isa);
-            same = same && hash == serial;
-            char line[64];
-            describe(static_cast<Picture>(p), "", isa, hash, line);
-            write(line);
-        }
+        const auto picture = static_cast<Picture>(p);
+        same = write_hashes(picture, "", plan, write) && same;
+        same = write_hashes(picture, ".fixed", fixed_plan, write) && same;
         char line[64];
-        describe(static_cast<Picture>(p), ".double", Isa::scalar, hash_with(double_plan, Isa::scalar), line);
+        describe(picture, ".double", Isa::scalar, hash_with(double_plan, Isa::scalar), line);
         write(line);
     }
     return same;

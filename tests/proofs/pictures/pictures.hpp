@@ -14,9 +14,9 @@ constexpr int kPictureCount = 3;
 /// "sharp", "glossy", "everything".
 const char* name_of(Picture picture);
 
-/// Renders every picture with every instruction set of this CPU and in double, and gives write() one line for each:
-/// "<picture> <isa> <hash as 16 hex digits>", or "<picture>.double scalar <hash>". False when prepare() refuses a picture
-/// or two hashes of one differ.
+/// Renders every picture with every instruction set of this CPU, in fixed point too, and in double, and gives write() one
+/// line for each: "<picture> <isa> <hash as 16 hex digits>", "<picture>.fixed <isa> <hash>" or "<picture>.double scalar
+/// <hash>". False when prepare() refuses a picture or two hashes of one differ.
 bool render_all(void (*write)(const char* line));
 
 }  // namespace zerkalo::pictures
