@@ -10,7 +10,6 @@ using Rat = Ratio<One>;
 
 constexpr int kRays = 4000;
 constexpr Real80 kStep = 0x1p-30L;  // of a direction's component
-constexpr Real80 kRightAngle = 1.57079632679489661923L;
 constexpr Real80 kRatios[] = {0.4L, 2 / 3.0L, 0.75L, 1, 4 / 3.0L, 1.5L, 2.4L};
 
 /// A ray of fixed-point numbers that meets a surface, and what geometry says of it, their rounding taken away.

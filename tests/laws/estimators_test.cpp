@@ -10,7 +10,7 @@
 namespace zerkalo::laws {
 namespace {
 
-constexpr double kWayToWall = 10;          // how far away the edge is
+constexpr double kWayToWall = 10;     // how far away the edge is
 constexpr double kEdgeExponent = 60;  // of the lobe that sees it
 
 /// The share of a lobe cos^n that lies beyond a great circle at that angle from its axis: at theta the share

@@ -126,6 +126,12 @@ class Project:
         return failed.group(1) if failed else last_started(ran.stdout) + " (ends the program)"
 
 
+def positive(text):
+    if not text.isdecimal() or int(text) == 0:
+        raise argparse.ArgumentTypeError(f"{text}: a whole number from 1 on is needed")
+    return int(text)
+
+
 def last_started(output):
     text = output.decode(errors="replace") if isinstance(output, bytes) else output
     started = re.findall(r"^\[ RUN      \] (\S+)", text, re.MULTILINE)
@@ -180,7 +186,7 @@ def main():
                         help="ask only the test programs with WORD in their name: quicker, but more survive")
     parser.add_argument("--check", action="store_true", help="only whether every mutant applies")
     parser.add_argument("--work", default=ROOT / "build" / "mutants", help="folder of the copy (build/mutants)")
-    parser.add_argument("--jobs", type=int, default=2, help="processes that compile or test (2)")
+    parser.add_argument("--jobs", type=positive, default=2, help="processes that compile or test (2)")
     parser.add_argument("--markdown", metavar="FILE", help="where to write the table")
     options = parser.parse_args()
     try:

@@ -80,7 +80,6 @@ Exact3 meeting(const Exact3& n, Real80 angle, Random& random) {
     return across * std::sin(angle) - n * std::cos(angle);
 }
 
-constexpr Real80 kRightAngle = 1.57079632679489661923L;
 constexpr float kRatios[] = {0.4f, 1 / 1.5f, 0.75f, 1, 4.0f / 3, 1.5f, 2.4f};
 
 TEST_P(P07, RefractionObeysSnell) {

@@ -6,7 +6,6 @@
 namespace zerkalo::test {
 namespace {
 
-constexpr Real80 kGrazing = 1.57079632679489661923L;
 constexpr float kIndexRatios[] = {0.1f, 0.4f, 1 / 1.5f, 0.75f, 1 - 0x1p-20f, 1, 1 + 0x1p-20f, 4.0f / 3, 1.5f, 2.4f, 10};
 
 struct Incidence {
@@ -31,7 +30,7 @@ Incidence everywhere(float ratio, Random& random) {
     Incidence rays;
     while (rays.d.size() < kLawRays / 20) {
         const Exact3 n = random.direction(), across = unit(cross(n, random.direction()));
-        const Real80 angle = kGrazing * random.uniform(0, 1);
+        const Real80 angle = kRightAngle * random.uniform(0, 1);
         rays.add(across * std::sin(angle) - n * std::cos(angle), n, ratio);
     }
     return rays;
@@ -149,7 +148,7 @@ TEST_P(P29, TotalReflectionIsExactlyOneAndBeginsWithoutAStep) {
         const Real80 critical = std::asin(1 / Real80(eta));
         Incidence beyond, before;
         for (int step = 1; step <= 160; ++step) {
-            add_at_angle(beyond, critical + (kGrazing - critical) * (step / 160.0L), eta);
+            add_at_angle(beyond, critical + (kRightAngle - critical) * (step / 160.0L), eta);
             add_at_angle(before, critical * (1 - std::ldexp(1.0L, -step / 8)), eta);
         }
         for (const float share : shares_of(beyond).both) ASSERT_EQ(share, 1) << "eta " << eta;

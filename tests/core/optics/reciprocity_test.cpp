@@ -47,7 +47,7 @@ protected:
                 cosines.assign(probes::kWidest, float(cos_in));
                 optics().weight(cosines.data(), float(1 / cos_out), weights.data(), probes::kWidest);
             }
-            const Real80 density = x[k] < 1 ? (exponent + 1) / (2 * 3.14159265358979323846L) * powers[k] : 0;
+            const Real80 density = x[k] < 1 ? (exponent + 1) / (2 * kPi80) * powers[k] : 0;
             f.push_back(density * weights[0] / cos_in);
         }
         return f;

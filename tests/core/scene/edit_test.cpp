@@ -66,7 +66,7 @@ TEST(Edit, QuarterTurnsSendAxesToAxes) {
 }
 
 TEST(Edit, RadiansAreDegreesOfOneTurn) {
-    constexpr Real80 kDegree = 3.14159265358979323846264338L / 180;
+    constexpr Real80 kDegree = kPi80 / 180;
     Random random(102);
     for (int k = 0; k < 10000; ++k) {
         const double degrees = random.uniform(-360, 360);

@@ -68,7 +68,7 @@ Corners corners(const Solid& solid, const Plan& plan, int k) {
     const Exact3 first = exact(plan.slabs[body.first_slab].n);
     const Exact3 out = unit(first - up * dot(first, up)), beside = cross(out, up);
     // The first face's middle is half a step from corner 0.
-    const Real80 step = 2 * 3.14159265358979323846264338L / solid.sides, angle = (k - 0.5L) * step;
+    const Real80 step = 2 * kPi80 / solid.sides, angle = (k - 0.5L) * step;
     const Exact3 rim = (out * std::cos(angle) + beside * std::sin(angle)) * solid.radius;
     const Exact3 middle = exact(body.centre), half = up * (Real80(solid.height) / 2);
     const bool prism = solid.kind == SolidKind::prism;

@@ -8,7 +8,7 @@
 namespace zerkalo::test {
 
 using Real80 = long double;
-constexpr Real80 kPi80 = 3.14159265358979323846264338327950288L;
+constexpr Real80 kPi80 = 3.14159265358979323846264338327950288L, kRightAngle = kPi80 / 2;
 
 struct Exact3 {
     Real80 x = 0, y = 0, z = 0;

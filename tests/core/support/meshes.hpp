@@ -12,7 +12,7 @@ namespace zerkalo::test {
 inline std::vector<Triangle> triangles_of(const Solid& solid) {
     const int n = solid.sides;
     const auto corner = [&](int k, double y) {
-        const Real80 angle = 2 * 3.14159265358979323846264338L * (k % n) / n;
+        const Real80 angle = 2 * kPi80 * (k % n) / n;
         return Vec3<double>{double(solid.radius * std::cos(angle)), y, double(solid.radius * std::sin(angle))};
     };
     const double top = solid.height;
